@@ -1,0 +1,111 @@
+"""The legform document: masses, stiffnesses and geometry of one Flex-PLI, each number with its origin."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field
+
+from certkit.definitions.document import Section
+from certkit.definitions.origin import (
+    Angle,
+    BendingStiffness,
+    Damping,
+    Force,
+    FoundationStiffness,
+    Frequency,
+    Inertia,
+    Length,
+    Mass,
+    Ratio,
+    RotationalStiffness,
+    Stiffness,
+    Time,
+)
+
+
+class Bone(Section):
+    """Femur or tibia: rigid segments on pivots with rotational springs."""
+
+    length: Length
+    depth: Annotated[Length, Field(description="Outer size along the impact.")]
+    segments: Annotated[int, Field(ge=2, le=200)]
+    mass: Mass
+    centre_of_gravity: Annotated[Length, Field(description="From the top of the part.")]
+    inertia: Annotated[Inertia, Field(description="About its own centre of gravity.")]
+    bending_stiffness: BendingStiffness
+    damping_time: Annotated[Time, Field(description="Joint damping divided by joint stiffness.")]
+    block_joint: Annotated[Ratio, Field(description="How much stiffer the joint at the knee block is.")]
+    cable_angle: Annotated[Angle, Field(description="Joint angle at which the steel cables come tight.")]
+    cable_stiffness: Annotated[RotationalStiffness, Field(description="Added joint stiffness beyond it.")]
+
+
+class Ligament(Section):
+    """A cable on a preloaded spring: it pulls and never pushes. Points are (x, z), femur side then tibia side."""
+
+    femur: Annotated[list[Length], Field(min_length=2, max_length=2)]
+    tibia: Annotated[list[Length], Field(min_length=2, max_length=2)]
+    stiffness: Stiffness
+    preload: Force
+    damping: Damping
+
+
+class Condyles(Section):
+    """Two round condyles of the femur block in two troughs of the tibia block."""
+
+    radius: Length
+    trough_radius: Length
+    offset: Annotated[Length, Field(description="Distance of each condyle's middle from the leg's axis.")]
+    stiffness: Stiffness
+    damping: Damping
+    friction: Ratio
+
+
+class Knee(Section):
+    """Two rigid blocks in contact, held together by four ligaments."""
+
+    mass: Mass
+    centre_of_gravity: Annotated[Length, Field(description="From the top of the knee.")]
+    inertia: Inertia
+    above_centre: Annotated[Length, Field(description="Height of the femur block.")]
+    below_centre: Annotated[Length, Field(description="Height of the tibia block.")]
+    depth: Length
+    condyles: Condyles
+    parallel_stiffness: RotationalStiffness
+    ligaments: Annotated[dict[str, Ligament], Field(description="MCL, LCL, ACL and PCL.")]
+
+
+class Flesh(Section):
+    """Rubber and neoprene around the bones: one mass a segment on springs, and a layer that can be crushed."""
+
+    mass: Mass
+    across: Annotated[Frequency, Field(description="Natural frequency of the flesh along the impact.")]
+    along: Annotated[Frequency, Field(description="Natural frequency along the bone.")]
+    damping_ratio: Ratio
+    tension: Annotated[Force, Field(description="Tensile stiffness EA between neighbours; 0 leaves it out.")]
+    compression: Annotated[FoundationStiffness, Field(description="Initial, per unit length.")]
+    thickness: Annotated[Length, Field(description="Depth over which the compression stiffens.")]
+
+
+class Gauges(Section):
+    """Strain gauges: distance from the knee centre, upwards in the femur, downwards in the tibia."""
+
+    f1: Annotated[Length, Field(alias="F1")]
+    f2: Annotated[Length, Field(alias="F2")]
+    f3: Annotated[Length, Field(alias="F3")]
+    t1: Annotated[Length, Field(alias="T1")]
+    t2: Annotated[Length, Field(alias="T2")]
+    t3: Annotated[Length, Field(alias="T3")]
+    t4: Annotated[Length, Field(alias="T4")]
+
+
+class Legform(Section):
+    """One leg, the same for all procedures."""
+
+    legform: Annotated[str, Field(description="Its name.")]
+    title: str
+    femur: Bone
+    knee: Knee
+    tibia: Bone
+    flesh: Flesh
+    gauges: Gauges

@@ -1,0 +1,129 @@
+"""Numbers that know where they come from.
+
+Every corridor, limit and model parameter is a `Number`: a float in SI units that also carries the words it was
+written in, its source and how far that source can be trusted. Code that calculates uses it like any float.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal, get_args
+
+from pydantic import BaseModel, ConfigDict, Field
+from pydantic_core import core_schema
+
+from certkit.definitions.quantities import UNITS, parse_quantity
+
+Confidence = Literal["verified", "recalled", "derived", "calibrated", "estimated"]
+"""`verified`: read in the named text; `recalled`: named text not read; `derived`: follows by arithmetic;
+`calibrated`: fitted, the fit is named; `estimated`: a judgement."""
+
+CONFIDENCES: tuple[str, ...] = get_args(Confidence)
+
+
+class Origin(BaseModel):
+    """Where a number comes from, and how far that can be trusted."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    source: Annotated[str, Field(min_length=3, description="Text, test or fit that the number comes from.")]
+    confidence: Confidence
+
+
+class Number(float):
+    """A float in SI units that carries its origin and the words it was written in."""
+
+    text: str
+    source: str
+    confidence: Confidence
+
+    def __new__(cls, value: float, text: str, source: str, confidence: Confidence) -> Number:
+        """Make a number; `text` is how it was written, with its unit."""
+        number = super().__new__(cls, value)
+        number.text, number.source, number.confidence = text, source, confidence
+        return number
+
+    def __reduce__(self) -> tuple[type[Number], tuple[float, str, str, str]]:
+        """Pickle with the origin."""
+        return (Number, (float(self), self.text, self.source, self.confidence))
+
+
+class Dimension:
+    """Annotation that makes pydantic read a `Number` of one dimension: `Annotated[Number, Dimension("length")]`.
+
+    In YAML the number is a mapping `{value: 25 mm, source: …, confidence: …}`, or just `25 mm` inside a section whose
+    `origin` covers it (`certkit.definitions.document.Section` fills that in before validation).
+    """
+
+    def __init__(self, name: str) -> None:
+        """Name a key of `certkit.definitions.quantities.UNITS`."""
+        self.name = name
+
+    def _read(self, given: Any) -> Number:  # noqa: ANN401  # raw YAML data
+        if isinstance(given, Number):
+            return given
+        if not isinstance(given, Mapping):
+            parse_quantity(given, self.name)  # a wrong unit is the more useful message
+            raise ValueError(  # noqa: TRY004  # pydantic gathers ValueErrors
+                f"`{given}` has no origin; write {{value: {given}, source: …, confidence: …}} "
+                "or give the section an `origin`"
+            )
+        unknown = sorted(set(given) - {"value", "source", "confidence"})
+        if unknown:
+            raise ValueError(f"unknown key `{unknown[0]}`; a number has value, source and confidence")
+        if "value" not in given:
+            raise ValueError("`value` is missing")
+        origin = Origin.model_validate({k: given[k] for k in ("source", "confidence") if k in given})
+        value = given["value"]
+        return Number(parse_quantity(value, self.name), str(value), origin.source, origin.confidence)
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> core_schema.CoreSchema:  # noqa: ANN401  # pydantic's own signature
+        """Read with `_read`; write as the mapping of value, source and confidence."""
+        return core_schema.no_info_plain_validator_function(
+            self._read,
+            serialization=core_schema.plain_serializer_function_ser_schema(
+                lambda n: {"value": n.text, "source": n.source, "confidence": n.confidence}
+            ),
+        )
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> dict[str, Any]:  # noqa: ANN401  # pydantic's own signature
+        """Describe both ways of writing the number for editors."""
+        units = [u for u in UNITS[self.name] if u]
+        example = f"1 {units[0]}" if units else 1
+        plain = {"type": ["string", "number"], "description": f"A {self.name}.", "examples": [example]}
+        return {
+            "anyOf": [
+                plain,
+                {
+                    "type": "object",
+                    "properties": {
+                        "value": plain,
+                        "source": {"type": "string"},
+                        "confidence": {"enum": list(CONFIDENCES)},
+                    },
+                    "required": ["value"],
+                    "additionalProperties": False,
+                },
+            ]
+        }
+
+
+Length = Annotated[Number, Dimension("length")]
+Mass = Annotated[Number, Dimension("mass")]
+Time = Annotated[Number, Dimension("time")]
+Angle = Annotated[Number, Dimension("angle")]
+Speed = Annotated[Number, Dimension("speed")]
+Acceleration = Annotated[Number, Dimension("acceleration")]
+Force = Annotated[Number, Dimension("force")]
+Moment = Annotated[Number, Dimension("moment")]
+Stiffness = Annotated[Number, Dimension("stiffness")]
+Damping = Annotated[Number, Dimension("damping")]
+RotationalStiffness = Annotated[Number, Dimension("rotational stiffness")]
+BendingStiffness = Annotated[Number, Dimension("bending stiffness")]
+Inertia = Annotated[Number, Dimension("inertia")]
+Pressure = Annotated[Number, Dimension("pressure")]
+FoundationStiffness = Annotated[Number, Dimension("foundation stiffness")]
+LineLoad = Annotated[Number, Dimension("line load")]
+Frequency = Annotated[Number, Dimension("frequency")]
+Temperature = Annotated[Number, Dimension("temperature")]
+Ratio = Annotated[Number, Dimension("ratio")]

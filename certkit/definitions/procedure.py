@@ -1,0 +1,116 @@
+"""The procedure document: a test sheet that names a rig's fixtures, what is measured and what it is held against."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from certkit.definitions.document import Document, Section
+from certkit.definitions.origin import Confidence, Time
+from certkit.definitions.rig import Rig
+
+
+class Method(Document):
+    """The text a procedure follows."""
+
+    document: str
+    annex: str | None = None
+    clause: str | None = None
+    edition: str | None = None
+    confidence: Annotated[Confidence, Field(description="How far the procedure's numbers were checked.")] = (
+        "recalled"
+    )
+
+    @property
+    def words(self) -> str:
+        """Return `UN R127, annex 6, clause 1.2 (01 series)`."""
+        parts = [self.document]
+        parts += [f"annex {self.annex}"] if self.annex else []
+        parts += [f"clause {self.clause}"] if self.clause else []
+        return ", ".join(parts) + (f" ({self.edition})" if self.edition else "")
+
+
+class Specimen(Document):
+    """What is put on the rig."""
+
+    legform: str = "flex-pli-gtr"
+    part: Literal["leg", "femur", "tibia", "knee"] = "leg"
+    flesh: Literal["fitted", "off"] = "off"
+
+
+class Run(Section):
+    """How long is simulated and recorded."""
+
+    until: Annotated[Time | None, Field(description="After first contact.")] = None
+    time_step: Time | None = None
+
+
+class Curve(Document):
+    """Two channels drawn against each other."""
+
+    x: str
+    y: str
+
+
+class At(Document):
+    """The instant at which `value at` is read: when a channel first reaches a value."""
+
+    channel: str
+    equals: str
+
+
+class Criterion(Document):
+    """One thing that is measured on the recording and held against a corridor.
+
+    Without a corridor (or with one that nobody supplied) a criterion is informative: shown, not graded.
+    """
+
+    id: str
+    title: str
+    channel: str | None = None
+    curve: Curve | None = None
+    filter: Literal["none", "CFC 60", "CFC 180", "CFC 600", "CFC 1000"] = "none"
+    measure: Literal["max", "min", "max abs", "value at", "time of max", "curve in polygon", "curve in band"]
+    at: At | None = None
+    interval: Literal["whole", "assessment interval"] = "whole"
+    corridor: Annotated[str | None, Field(description="`set/entry`.")] = None
+
+
+class Precondition(Document):
+    """A condition the test must have been done under, else it is not evaluated."""
+
+    quantity: str
+    dimension: str
+    within: Annotated[list[str], Field(min_length=2, max_length=2)]
+    applies_to: Literal["measured", "simulated", "both"] = "measured"
+    required: bool = True
+
+
+class Procedure(Section):
+    """A test: specimen, rig, run, criteria, preconditions, reference."""
+
+    procedure: Annotated[str, Field(description="Its name.")]
+    title: str
+    method: Method
+    specimen: Specimen = Specimen()
+    vehicle: Annotated[str | None, Field(description="Name of the vehicle that is hit.")] = None
+    rig: Rig
+    run: Run = Run()
+    criteria: Annotated[list[Criterion], Field(min_length=1, max_length=200)]
+    preconditions: list[Precondition] = []
+    reference: str | None = None
+    score: Annotated[str | None, Field(description="Corridor set whose scores are shown.")] = None
+    notes: list[str] = []
+
+    @model_validator(mode="before")
+    @classmethod
+    def _origin_from_method(cls, data: Any) -> Any:  # noqa: ANN401  # raw YAML data
+        """Let bare numbers of rig and run come from the text that the procedure follows."""
+        if not isinstance(data, dict) or "origin" in data or not isinstance(data.get("method"), dict):
+            return data
+        try:
+            method = Method.model_validate(data["method"])
+        except ValueError:
+            return data  # reported where it stands
+        return {**data, "origin": {"source": method.words, "confidence": method.confidence}}

@@ -1,0 +1,96 @@
+"""Quantities as people write them (`5 kg`, `25 mm`, `15 deg`) and as the program uses them: plain SI numbers.
+
+About thirty units in a dozen dimensions are needed; importing pint for them costs 0.6 s, three times what a whole simulated test
+takes, so the table is ours and pint is the oracle of the tests.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from types import MappingProxyType
+
+# Dimension → unit → factor to SI. Temperatures have an offset too and are handled below.
+_PI = math.pi
+UNITS: MappingProxyType[str, MappingProxyType[str, float]] = MappingProxyType(
+    {
+        name: MappingProxyType(table)
+        for name, table in {
+            "length": {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "µm": 1e-6},
+            "mass": {"kg": 1.0, "g": 1e-3, "t": 1e3},
+            "time": {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "min": 60.0, "h": 3600.0, "d": 86400.0},
+            "angle": {"rad": 1.0, "deg": _PI / 180, "°": _PI / 180, "mrad": 1e-3},
+            "speed": {"m/s": 1.0, "mm/ms": 1.0, "km/h": 1 / 3.6, "mm/s": 1e-3, "mm/min": 1e-3 / 60},
+            "acceleration": {"m/s²": 1.0, "g": 9.80665, "mm/ms²": 1e3},
+            "force": {"N": 1.0, "kN": 1e3},
+            "moment": {"N·m": 1.0, "kN·m": 1e3, "N·mm": 1e-3},
+            "stiffness": {"N/m": 1.0, "kN/m": 1e3, "N/mm": 1e3, "kN/mm": 1e6},
+            "damping": {"N·s/m": 1.0, "kN·s/m": 1e3, "N·s/mm": 1e3},
+            "rotational stiffness": {"N·m/rad": 1.0, "kN·m/rad": 1e3, "N·m/deg": 180 / _PI},
+            "rotational damping": {"N·m·s/rad": 1.0},
+            "bending stiffness": {"N·m²": 1.0},
+            "inertia": {"kg·m²": 1.0, "kg·mm²": 1e-6, "g·m²": 1e-3},
+            "pressure": {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "psi": 6894.757293168361},
+            "foundation stiffness": {"N/m²": 1.0, "kN/m²": 1e3, "MN/m²": 1e6},  # force per length and depth
+            "line load": {"N/m": 1.0, "kN/m": 1e3, "N/mm": 1e3},
+            "frequency": {"Hz": 1.0, "kHz": 1e3},
+            "energy": {"J": 1.0, "kJ": 1e3},
+            "temperature": {"K": 1.0, "degC": 1.0, "°C": 1.0},
+            "temperature difference": {"K": 1.0},
+            "ratio": {"": 1.0, "%": 1e-2},
+            "count": {"": 1.0},
+        }.items()
+    }
+)
+
+# Other spellings of the same signs, brought to the ones of the table.
+_SPELLINGS = ((" * ", "·"), ("*", "·"), ("⋅", "·"), ("^2", "²"), ("μ", "µ"), ("Nmm", "N·mm"), ("Nm", "N·m"))
+
+_NUMBER = re.compile(r"^\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
+
+
+def _canonical(unit: str) -> str:
+    for spelling, sign in _SPELLINGS:
+        unit = unit.replace(spelling, sign)
+    if re.search(r"(?<=[m])2$", unit):
+        unit = unit[:-1] + "²"
+    return unit
+
+
+def parse_quantity(text: object, dimension: str) -> float:
+    """Turn `25 mm` into 0.025.
+
+    Parameters
+    ----------
+    text : object
+        A string of number and unit; a plain number only where the dimension is a ratio or a count.
+    dimension : str
+        A key of `UNITS`.
+
+    Returns
+    -------
+    float
+        The value in SI units; temperatures in kelvin.
+
+    Raises
+    ------
+    ValueError
+        When it is no finite number or the unit is missing or not one of the dimension; says which units would do.
+    """
+    units = UNITS[dimension]
+    allowed = ", ".join(u for u in units if u) or "no unit"
+    if isinstance(text, bool) or not isinstance(text, (str, int, float)):
+        raise ValueError(f"expected a {dimension} such as `1 {next(iter(units))}`, not {text!r}")
+    match = _NUMBER.match(str(text))
+    if match is None:
+        raise ValueError(f"`{text}` is not a number with a unit; write a {dimension} in {allowed}")
+    number, unit = float(match.group(1)), _canonical(match.group(2))
+    if unit not in units:
+        found = f"the unit `{unit}`" if unit else "no unit"
+        raise ValueError(f"`{text}` has {found}; a {dimension} is written in {allowed}")
+    value = number * units[unit]
+    if dimension == "temperature" and unit in {"degC", "°C"}:
+        value += 273.15
+    if not math.isfinite(value):
+        raise ValueError(f"`{text}` is not a finite number")
+    return value

@@ -1,0 +1,21 @@
+"""Reference data: measured or computed values that a result is compared with, such as the paper's Table 1."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field
+
+from certkit.definitions.document import Section
+
+
+class Reference(Section):
+    """Values by criterion id. The error rule is (simulation − test) / test."""
+
+    reference: Annotated[str, Field(description="Its name.")]
+    title: str
+    values: Annotated[dict[str, str], Field(description="Quantity by criterion id, such as `F3: 81 N·m`.")]
+    published: Annotated[
+        dict[str, str], Field(description="Another simulation's values beside them, for the same criteria.")
+    ] = {}
+    notes: list[str] = []

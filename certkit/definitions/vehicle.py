@@ -1,0 +1,50 @@
+"""The vehicle document: a front of lumped groups, the springs between them and the ground."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from certkit.definitions.document import Section
+from certkit.definitions.origin import Damping, Force, Length, Mass, Ratio, Stiffness
+
+
+class Group(Section):
+    """A lumped part of the front that moves along the car. Heights are above the ground; x grows into the car."""
+
+    kind: Literal["fascia", "hood", "engine room"]
+    mass: Mass
+    position: Annotated[Length, Field(description="x of the face at the middle of its height span.")]
+    low: Annotated[Length | None, Field(description="Lower end of the face; none: never touched.")] = None
+    high: Annotated[Length | None, Field(description="Upper end of the face.")] = None
+    slope: Annotated[Ratio | None, Field(description="dx/dz of the face.")] = None
+
+
+class Connection(Section):
+    """What lies between two groups, or between a group and the ground: a spring law and a damper.
+
+    Loading is piecewise linear through `loading` (shortening, force), continued with its last slope. Unloading runs down
+    with `unloading` stiffness to `residual` times the loading force's secant, then along it; see the mechanics room.
+    """
+
+    between: Annotated[
+        list[str], Field(min_length=2, max_length=2, description="`ground` is the car's body.")
+    ]
+    loading: Annotated[list[tuple[Length, Force]], Field(min_length=2, max_length=500)]
+    unloading: Stiffness | None = None
+    residual: Ratio | None = None
+    damping: Damping | None = None
+    gap: Annotated[Length | None, Field(description="Free travel before the spring acts.")] = None
+    tension: Annotated[bool, Field(description="Whether the spring also pulls.")] = False
+
+
+class Vehicle(Section):
+    """A car front as the leg meets it."""
+
+    vehicle: Annotated[str, Field(description="Its name.")]
+    title: str
+    groups: Annotated[dict[str, Group], Field(min_length=1, max_length=200)]
+    connections: Annotated[list[Connection], Field(min_length=1, max_length=2000)]
+    friction: Annotated[Ratio | None, Field(description="Between the leg and the faces.")] = None
+    notes: list[str] = []

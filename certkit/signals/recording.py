@@ -1,0 +1,85 @@
+"""`Recording`: what a test yields, simulated or measured. Everything after it is shared by both."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from certkit.signals.vocabulary import Dimension
+
+Kind = Literal["simulated", "measured"]
+
+
+@dataclass(frozen=True)
+class Channel:
+    """One measured or simulated quantity over the recording's time axis.
+
+    Parameters
+    ----------
+    name : str
+        Short name: `T1`, `MCL`, `contact force`.
+    title : str
+        The words of the field: `tibia moment 1`.
+    dimension : Dimension
+        Dimension with its SI unit and its unit at the borders.
+    values : ndarray, shape (n,)
+        SI values.
+    filtered : str
+        Filter the values have already seen (`CFC 180`), empty for raw values.
+    notes : tuple of str
+        What was assumed or done on the way here (offset removed, sign turned, …).
+    """
+
+    name: str
+    title: str
+    dimension: Dimension
+    values: NDArray[np.float64]
+    filtered: str = ""
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Recording:
+    """All channels of one test on one time axis; time zero is the first contact.
+
+    Parameters
+    ----------
+    kind : {'simulated', 'measured'}
+        Which of the two it is: the title of the certificate depends on it.
+    time : ndarray, shape (n,)
+        Seconds, uniform steps. Static tests have one sample a load level; their time is the level's end.
+    channels : mapping of str to Channel
+        By short name.
+    conditions : mapping of str to float
+        Conditions the test was done under, SI, by the words of the procedure's preconditions
+        (`temperature` in kelvin, `ram mass` in kg, …). A missing one is unknown, not zero.
+    notes : tuple of str
+        What a reader made or assumed of the test as a whole.
+    source : str
+        File or procedure it came from.
+    """
+
+    kind: Kind
+    time: NDArray[np.float64]
+    channels: Mapping[str, Channel]
+    conditions: Mapping[str, float] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+    source: str = ""
+
+    def __getitem__(self, name: str) -> Channel:
+        """Return the channel of that short name; KeyError when it was not recorded."""
+        return self.channels[name]
+
+    def __contains__(self, name: object) -> bool:
+        """Tell whether the channel was recorded."""
+        return name in self.channels
+
+    @property
+    def interval(self) -> float:
+        """Sampling interval in seconds."""
+        return float(self.time[1] - self.time[0])
