@@ -1,0 +1,5 @@
+"""`python -m certkit` is the command `certkit`."""
+
+from certkit.cli import main
+
+main()

@@ -1,0 +1,99 @@
+"""The command line: one small file a command, no logic. Heavy imports wait until a command runs."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Annotated
+
+import typer
+
+from certkit._version import __version__
+from certkit.cli import (
+    calibrate,
+    compare,
+    export,
+    extract,
+    figure,
+    grade,
+    history,
+    list_,
+    report,
+    run,
+    schema,
+    show,
+    study,
+    validate,
+    verify,
+)
+from certkit.errors import CertkitError
+
+app = typer.Typer(
+    name="certkit",
+    no_args_is_help=True,
+    rich_markup_mode="markdown",
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    help=(
+        "Certify a Flex-PLI legform: simulate its tests or grade measured ones, and hand over the certificate.\n\n"
+        "Start with `certkit run --procedure pendulum`."
+    ),
+    epilog=(
+        "Exit codes: 0 pass · 1 fail or conditional · 2 bad definition or usage · 3 run or numerical error · "
+        "4 not evaluated."
+    ),
+)
+
+TESTS = "Tests"
+MODELS = "Models and studies"
+DEFINITIONS = "Definitions"
+
+app.command("run", rich_help_panel=TESTS)(run.run)
+app.command("grade", rich_help_panel=TESTS)(grade.grade)
+app.command("compare", rich_help_panel=TESTS)(compare.compare)
+app.command("report", rich_help_panel=TESTS)(report.report)
+app.command("figure", rich_help_panel=TESTS)(figure.figure)
+app.command("export", rich_help_panel=TESTS)(export.export)
+app.command("verify", rich_help_panel=TESTS)(verify.verify)
+app.add_typer(history.app, name="history", rich_help_panel=TESTS)
+app.command("extract", rich_help_panel=MODELS)(extract.extract)
+app.command("calibrate", rich_help_panel=MODELS)(calibrate.calibrate)
+app.command("study", rich_help_panel=MODELS)(study.study)
+app.command("list", rich_help_panel=DEFINITIONS)(list_.list_)
+app.command("show", rich_help_panel=DEFINITIONS)(show.show)
+app.command("validate", rich_help_panel=DEFINITIONS)(validate.validate)
+app.command("schema", rich_help_panel=DEFINITIONS)(schema.schema)
+
+
+def _version(*, wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"certkit {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    *,
+    version: Annotated[
+        bool, typer.Option("--version", callback=lambda v: _version(wanted=v), is_eager=True, help="Show it.")
+    ] = False,
+) -> None:
+    """Take the options that stand before a command."""
+    del version
+
+
+def main() -> None:
+    """Run the command line and end with the contract's exit code."""
+    try:
+        app()
+    except CertkitError as error:
+        for line in str(error).splitlines():
+            typer.echo(f"error: {line}", err=True)
+        sys.exit(error.exit_code)
+    except BrokenPipeError:
+        # The reader of our output has seen enough (`certkit list | head`); closing quietly is what it expects.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(0)
+    except KeyboardInterrupt:
+        typer.echo("interrupted; nothing half-written is left behind", err=True)
+        sys.exit(130)

@@ -1,0 +1,42 @@
+"""Options that several commands share, with one wording."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+Out = Annotated[
+    Path | None, typer.Option("--out", help="Folder for the results.", show_default="runs/NAME")
+]
+Formats = Annotated[
+    str,
+    typer.Option(
+        "--format",
+        help="Reports to write, separated by commas: html, pdf, junit, csv, md. The JSON is always written.",
+    ),
+]
+Overrides = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="PATH=VALUE",
+        help="Change a value for this run, e.g. 'rig.ram.speed=11.3 m/s' or 'legform=my-leg'. Repeatable.",
+    ),
+]
+Libraries = Annotated[
+    list[Path] | None,
+    typer.Option("--library", metavar="DIR", help="Folder with own definitions; searched first. Repeatable."),
+]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only the verdict table and errors.")]
+Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Also tell what is done, step by step.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print the JSON document alone on standard output.")]
+Allow = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--allow",
+        metavar="VERDICT",
+        help="`not-evaluated`: exit with 0 instead of 4 when nothing worse happened.",
+    ),
+]
