@@ -1,0 +1,219 @@
+"""Conditioning: what a laboratory does to a measured test before anything is measured on it.
+
+It is a pipeline of plain functions: each step takes a recording and returns one, with a note of what it
+did. Filtering is not among them: every criterion names its own filter (`certkit.signals.filtered`).
+Simulated recordings need none of this and pass through unchanged, except for the noise window.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.definitions.vocabulary import ELONGATION, MOMENT
+from certkit.errors import DataError
+from certkit.signals.clipping import AMPLITUDE_CLASS, find_clipping
+from certkit.signals.noise import FREE_FLIGHT_NOISE, WINDOW, free_flight
+from certkit.signals.offset import MARGIN, quiet_interval, remove_offset
+from certkit.signals.polarity import POSITIVE_CHANNELS, is_swapped
+from certkit.signals.time_zero import TOLERANCE, first_contact, shifted
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from certkit.definitions.procedure import Procedure
+    from certkit.definitions.rig import Rig
+    from certkit.signals.recording import Channel, Recording
+
+UNIFORM = 0.01
+"""Largest deviation of a sample from the uniform time axis, in sampling intervals."""
+
+
+@dataclass(frozen=True)
+class Situation:
+    """What conditioning has to know about a test.
+
+    Parameters
+    ----------
+    dynamic : bool
+        There is a first contact.
+    free_flight : bool
+        The legform flies before it, so there is a noise window and the record's last 30 ms before contact
+        are not at rest.
+    signs_known : bool
+        The signs of tibia moments and MCL are known beforehand.
+    lenient : bool
+        Turn swapped channels and keep clipped ones, with a note, instead of refusing them.
+    """
+
+    dynamic: bool
+    free_flight: bool
+    signs_known: bool
+    lenient: bool = False
+
+
+def condition(recording: Recording, procedure: Procedure, *, lenient: bool = False) -> Recording:
+    """Condition a recording for a procedure.
+
+    Parameters
+    ----------
+    recording : Recording
+        As read or as simulated.
+    procedure : Procedure
+        Its rig says which steps apply.
+    lenient : bool
+        See `Situation`.
+
+    Returns
+    -------
+    Recording
+        With `notes` on the whole test and on each channel of what was done.
+
+    Raises
+    ------
+    DataError
+        When the time axis is not uniform, a channel is clipped or its polarity is swapped.
+    """
+    rig = procedure.rig
+    flight = rig.free_flight is not None
+    certified = rig.ram is not None or _is_pendulum(rig)
+    situation = Situation(flight or certified, flight, certified, lenient)
+    if recording.kind == "measured":
+        for step in MEASURED_STEPS:
+            recording = step(recording, situation)
+    return noise_noted(recording, situation)
+
+
+def _is_pendulum(rig: Rig) -> bool:
+    return rig.release is not None
+
+
+def uniform(recording: Recording, situation: Situation) -> Recording:
+    """Refuse a time axis that does not go forward in equal steps; static tests have load levels instead."""
+    time = recording.time
+    if any(c.values.shape != time.shape for c in recording.channels.values()):
+        raise DataError(f"{recording.source or 'recording'}: channels and time axis have different lengths")
+    if not situation.dynamic:
+        return recording
+    if time.size < 2:
+        raise DataError(f"{recording.source or 'recording'}: {time.size} sample(s) are no test")
+    if not np.isfinite(time).all():
+        raise DataError(f"{recording.source or 'recording'}: the time axis has values that are not numbers")
+    interval = float(time[-1] - time[0]) / (time.size - 1)
+    axis = time[0] + interval * np.arange(time.size)
+    if interval <= 0 or float(np.abs(time - axis).max()) > UNIFORM * interval:
+        at = int(np.argmax(np.abs(time - axis)))
+        raise DataError(
+            f"{recording.source or 'recording'}: the time steps are not equal "
+            f"(sample {at + 1}, {time[at]:.6g} s); export the test with one sampling rate"
+        )
+    return recording
+
+
+def unclipped(recording: Recording, situation: Situation) -> Recording:
+    """Refuse channels that ran into their amplitude class or into an amplifier."""
+    if not situation.dynamic:
+        return recording
+
+    def check(channel: Channel) -> Channel:
+        clipping = find_clipping(channel.values, AMPLITUDE_CLASS.get(channel.name))
+        if clipping is None:
+            return channel
+        shown = f"{clipping.level * channel.dimension.scale:.6g} {channel.dimension.unit}"
+        said = f"clipped at {shown} from {recording.time[clipping.index] * 1e3:.3f} ms on"
+        if not situation.lenient:
+            raise DataError(
+                f"{recording.source or 'recording'}: channel `{channel.name}` is {said}; its peak is lost. "
+                "Leave the channel out, or accept it as it is with --lenient"
+            )
+        return replace(channel, notes=(*channel.notes, f"{said}; kept because of --lenient"))
+
+    return _each_finite(recording, check)
+
+
+def timed(recording: Recording, situation: Situation) -> Recording:
+    """Move time zero to the first contact where the trigger is more than 5 ms away from it."""
+    if not situation.dynamic:
+        return recording
+    contact = first_contact(recording)
+    if contact is None or abs(contact.time) <= TOLERANCE:
+        return recording
+    note = f"time zero moved by {contact.time * 1e3:+.2f} ms to the first contact, found on {contact.channel}"
+    return _noted(shifted(recording, contact.time), note)
+
+
+def offset_free(recording: Recording, situation: Situation) -> Recording:
+    """Take off what bone and ligament sensors show at rest before contact."""
+    if not situation.dynamic:
+        return recording
+    # A legform in free flight is not at rest: its last 30 ms are the noise window and must not be flattered.
+    until = -WINDOW - MARGIN if situation.free_flight else -MARGIN
+    quiet = quiet_interval(recording.time, until=until)
+    if quiet is None:
+        return _noted(recording, "no offset removed: less than 5 ms at rest were recorded before contact")
+
+    def correct(channel: Channel) -> Channel:
+        if channel.dimension not in {MOMENT, ELONGATION}:
+            return channel
+        values, offset = remove_offset(channel.values, quiet)
+        note = f"offset {offset * channel.dimension.scale:.4g} {channel.dimension.unit} removed"
+        return replace(channel, values=values, notes=(*channel.notes, note))
+
+    first, last = recording.time[0] * 1e3, recording.time[quiet.stop - 1] * 1e3
+    note = f"offsets of bone and ligament channels removed over {first:.1f} to {last:.1f} ms"
+    return _noted(_each_finite(recording, correct), note)
+
+
+def right_way_round(recording: Recording, situation: Situation) -> Recording:
+    """Refuse (or turn, when lenient) channels whose sign is known and that point the other way."""
+    if not situation.signs_known:
+        return recording
+    begin = int(np.searchsorted(recording.time, 0.0))
+
+    def check(channel: Channel) -> Channel:
+        if channel.name not in POSITIVE_CHANNELS or not is_swapped(channel.values[begin:]):
+            return channel
+        if not situation.lenient:
+            raise DataError(
+                f"{recording.source or 'recording'}: channel `{channel.name}` has its polarity swapped "
+                "(it should be positive here); turn its sign in the mapping, or let --lenient turn it"
+            )
+        return replace(
+            channel, values=-channel.values, notes=(*channel.notes, "sign turned: polarity was swapped")
+        )
+
+    return _each_finite(recording, check)
+
+
+def noise_noted(recording: Recording, situation: Situation) -> Recording:
+    """Write the largest bone moment of the free flight down as a condition of the test."""
+    if not situation.free_flight or FREE_FLIGHT_NOISE in recording.conditions:
+        return recording
+    noise = free_flight(recording)
+    if noise is None:
+        return recording
+    return replace(recording, conditions={**recording.conditions, FREE_FLIGHT_NOISE: noise.largest})
+
+
+MEASURED_STEPS: tuple[Callable[[Recording, Situation], Recording], ...] = (
+    uniform,
+    unclipped,
+    timed,
+    offset_free,
+    right_way_round,
+)
+
+
+def _each_finite(recording: Recording, change: Callable[[Channel], Channel]) -> Recording:
+    """Apply `change` to every channel without NaN; the others are found out when they are measured on."""
+    channels = {
+        name: change(channel) if np.isfinite(channel.values).all() else channel
+        for name, channel in recording.channels.items()
+    }
+    return replace(recording, channels=channels)
+
+
+def _noted(recording: Recording, note: str) -> Recording:
+    return replace(recording, notes=(*recording.notes, note))

@@ -1,0 +1,91 @@
+"""Channels of a recording as a criterion wants them: filtered with its class, each once."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.errors import DataError
+from certkit.signals.cfc import CLASSES, cfc
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from numpy.typing import NDArray
+
+    from certkit.signals.recording import Channel, Recording
+
+
+class Filtered:
+    """The channels of one recording through their filters, kept so that nothing is filtered twice.
+
+    Parameters
+    ----------
+    recording : Recording
+    wanted : iterable of (str, str)
+        Channel and filter pairs that will be asked for; filtered together because that is quicker. Others
+        may still be asked for.
+    """
+
+    def __init__(self, recording: Recording, wanted: Iterable[tuple[str, str]] = ()) -> None:
+        """Filter what is known to be wanted."""
+        self.recording = recording
+        self._kept: dict[tuple[str, str], NDArray[np.float64]] = {}
+        together: dict[str, list[Channel]] = {}
+        for name, words in dict.fromkeys(wanted):
+            channel = recording.channels.get(name)
+            if channel is not None and needs_filter(channel, words) and np.isfinite(channel.values).all():
+                together.setdefault(words, []).append(channel)
+        for words, channels in together.items():
+            rows = cfc(np.stack([c.values for c in channels]), recording.interval, CLASSES[words])
+            self._kept |= {(c.name, words): row for c, row in zip(channels, rows, strict=True)}
+
+    def values(self, name: str, words: str) -> NDArray[np.float64]:
+        """Return the values of a channel through a filter (`none` or `CFC 180`), SI, shape (n,).
+
+        Raises
+        ------
+        DataError
+            When the channel is missing, is not finite, or cannot be filtered so: the message is the reason.
+        """
+        if name not in self.recording:
+            raise DataError(f"channel `{name}` was not recorded")
+        channel = self.recording[name]
+        bad = int(channel.values.size - np.count_nonzero(np.isfinite(channel.values)))
+        if channel.values.size == 0:
+            raise DataError(f"channel `{name}` is empty")
+        if bad:
+            raise DataError(f"channel `{name}`: {bad} of its {channel.values.size} values are not numbers")
+        if not needs_filter(channel, words):
+            return channel.values
+        key = (name, words)
+        if key not in self._kept:
+            try:
+                self._kept[key] = cfc(channel.values, self.recording.interval, CLASSES[words])
+            except DataError as error:
+                raise DataError(f"channel `{name}`: {error}") from error
+        return self._kept[key]
+
+
+def needs_filter(channel: Channel, words: str) -> bool:
+    """Tell whether a channel still has to go through the filter `words`.
+
+    A channel that has already seen the same class is left as it is; a wider pre-filter (CFC 1000) does not
+    count.
+
+    Raises
+    ------
+    DataError
+        When the channel was filtered with a narrower class: what that took away cannot be brought back.
+    """
+    if words == "none":
+        return False
+    if words not in CLASSES:
+        raise DataError(f"unknown filter `{words}`; there are none, {', '.join(CLASSES)}")
+    seen = CLASSES.get(channel.filtered)
+    if seen is not None and seen < CLASSES[words]:
+        raise DataError(
+            f"channel `{channel.name}` was already filtered with {channel.filtered}, narrower than {words}"
+        )
+    return seen != CLASSES[words]

@@ -1,0 +1,106 @@
+"""The assessment interval of a vehicle test: from first contact to the end of the legform's first bending.
+
+UN GTR 9 and UN R127 (recalled, not read): the interval ends with the last zero crossing of all femur and
+tibia moments, each after its first local maximum beyond a marginal 15 N·m, within their common
+zero-crossing phase; it is the same for all bones and ligaments. Where a bone moment never crosses zero, all
+bone curves are shifted down together until all of them cross; the shift serves to find the interval only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from numpy.typing import NDArray
+
+BONE_CHANNELS = ("F1", "F2", "F3", "T1", "T2", "T3", "T4")
+MARGINAL_MOMENT = 15.0
+"""N·m; maxima below it do not count."""
+
+
+@dataclass(frozen=True)
+class AssessmentInterval:
+    """The interval and how it was found.
+
+    Parameters
+    ----------
+    start, end : float
+        Seconds after contact.
+    decided_by : str
+        The channel that crosses zero last.
+    shift : float
+        N·m by which all bone curves were lowered to find it; 0 where all cross by themselves.
+    left_out : tuple of str
+        Bone channels whose maxima all stay within the marginal moment.
+    """
+
+    start: float
+    end: float
+    decided_by: str
+    shift: float
+    left_out: tuple[str, ...]
+
+    @property
+    def words(self) -> str:
+        """Say in a sentence where the interval ends and why."""
+        text = f"assessment interval 0–{self.end * 1e3:.1f} ms, ended by {self.decided_by} crossing zero"
+        if self.shift > 0:
+            text += f" after all bone moments were lowered by {self.shift:.1f} N·m"
+        if self.left_out:
+            text += f"; {', '.join(self.left_out)} stay within {MARGINAL_MOMENT:g} N·m and take no part"
+        return text
+
+
+def assessment_interval(
+    time: NDArray[np.float64], moments: Mapping[str, NDArray[np.float64]], *, contact: float = 0.0
+) -> AssessmentInterval | None:
+    """Find the assessment interval.
+
+    Parameters
+    ----------
+    time : ndarray, shape (n,)
+        Seconds.
+    moments : mapping of str to ndarray, shape (n,)
+        Filtered bone moments, N·m, by channel.
+    contact : float
+        Time of first contact, s.
+
+    Returns
+    -------
+    AssessmentInterval or None
+        None when no bone moment has a maximum beyond 15 N·m.
+    """
+    begin = int(np.searchsorted(time, contact))
+    peaks: dict[str, int] = {}
+    for name, values in moments.items():
+        peak = _first_maximum(values, begin)
+        if peak is not None:
+            peaks[name] = peak
+    if not peaks:
+        return None
+    # Lowering all curves by the highest of their lows makes the last of them touch zero.
+    shift = max(0.0, *(float(moments[name][peak:].min()) for name, peak in peaks.items()))
+    ends = {name: _crossing(time, moments[name] - shift, peak) for name, peak in peaks.items()}
+    last = max(ends, key=lambda name: ends[name])
+    left_out = tuple(name for name in moments if name not in peaks)
+    return AssessmentInterval(contact, ends[last], last, shift, left_out)
+
+
+def _first_maximum(values: NDArray[np.float64], begin: int) -> int | None:
+    """Return the index of the first local maximum beyond the marginal moment, or None."""
+    inner = values[begin + 1 : -1]
+    top = (inner > MARGINAL_MOMENT) & (inner > values[begin:-2]) & (inner >= values[begin + 2 :])
+    found = np.flatnonzero(top)
+    return begin + 1 + int(found[0]) if found.size else None
+
+
+def _crossing(time: NDArray[np.float64], values: NDArray[np.float64], peak: int) -> float:
+    """Return when `values` first comes down to zero after `peak`, between samples by straight lines."""
+    index = peak + int(np.argmax(values[peak:] <= 0.0))
+    before, after = float(values[index - 1]), float(values[index])
+    return float(time[index] + (time[index] - time[index - 1]) * after / (before - after))

@@ -1,0 +1,57 @@
+"""Free flight: bone moments stay within ±15 N·m during the last 30 ms before contact (UN GTR 9, recalled)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.signals.interval import BONE_CHANNELS
+
+if TYPE_CHECKING:
+    from certkit.signals.recording import Recording
+
+WINDOW = 0.030
+"""Seconds before contact."""
+FREE_FLIGHT_NOISE = "free-flight noise"
+"""Name of the condition, N·m."""
+
+
+@dataclass(frozen=True)
+class FreeFlight:
+    """The largest bone moment in free flight.
+
+    Parameters
+    ----------
+    largest : float
+        Largest absolute moment, N·m.
+    channel : str
+        Where it was.
+    """
+
+    largest: float
+    channel: str
+
+
+def free_flight(recording: Recording) -> FreeFlight | None:
+    """Return the largest bone moment during the last 30 ms before time zero.
+
+    Returns
+    -------
+    FreeFlight or None
+        None when less than the whole window was recorded, or no bone moment that is finite there.
+    """
+    time = recording.time
+    if time.size < 2 or time[0] > -WINDOW + 1.5 * recording.interval:
+        return None
+    window = slice(int(np.searchsorted(time, -WINDOW)), int(np.searchsorted(time, 0.0)))
+    largest = {
+        name: float(np.abs(recording[name].values[window]).max())
+        for name in BONE_CHANNELS
+        if name in recording
+    }
+    if not largest or not all(np.isfinite(v) for v in largest.values()):
+        return None
+    channel = max(largest, key=lambda name: largest[name])
+    return FreeFlight(largest[channel], channel)

@@ -1,0 +1,77 @@
+"""Time zero: the first contact, found on the channels where a recording's own trigger is late or early."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.signals.offset import SHORTEST
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from certkit.signals.recording import Recording
+
+CONTACT_CHANNELS = ("contact force", "knee acceleration", "T1", "F1", "MCL")
+"""Channels that show contact, the quickest first."""
+
+TOLERANCE = 0.005
+"""A trigger within 5 ms of the contact found on the channels is kept: tape switches are that good, s."""
+
+_RISE = 0.05  # of the peak
+_FOOT = 0.005  # of the peak, or three times the noise
+
+
+@dataclass(frozen=True)
+class Contact:
+    """First contact: `time` on the recording's axis (s) and the `channel` it was found on."""
+
+    time: float
+    channel: str
+
+
+def first_contact(recording: Recording) -> Contact | None:
+    """Find the first contact.
+
+    The channel must rise to 5 % of its peak; contact is where that rise leaves the noise (0.5 % of the
+    peak, or three standard deviations of the record's first 5 ms). A record that begins at contact
+    therefore gives a time within these 5 ms.
+
+    Returns
+    -------
+    Contact or None
+        None when no channel that shows contact was recorded, or none of them rises.
+    """
+    for name in CONTACT_CHANNELS:
+        if name in recording and np.isfinite(recording[name].values).all():
+            index = _foot(recording[name].values, recording.time)
+            if index is not None:
+                return Contact(float(recording.time[index]), name)
+    return None
+
+
+def shifted(recording: Recording, zero: float) -> Recording:
+    """Return the recording with its time axis moved so that `zero` (s, old axis) becomes time zero."""
+    # To a whole sample, so that zero stays on the axis.
+    steps = round((zero - float(recording.time[0])) / recording.interval)
+    begin = -steps * recording.interval
+    time = begin + recording.interval * np.arange(recording.time.size, dtype=np.float64)
+    return replace(recording, time=time)
+
+
+def _foot(values: NDArray[np.float64], time: NDArray[np.float64]) -> int | None:
+    """Return the index where the first real rise of a channel begins, or None."""
+    if values.size < 10:
+        return None
+    quiet = slice(0, max(10, int(np.searchsorted(time, time[0] + SHORTEST))))
+    level = float(values[quiet].mean())
+    noise = float(values[quiet].std())
+    height = np.abs(values - level)
+    peak = float(height.max())
+    if peak <= max(10 * noise, 1e-12):
+        return None
+    risen = int(np.argmax(height >= max(_RISE * peak, 5 * noise)))
+    below = np.flatnonzero(height[: risen + 1] <= max(_FOOT * peak, 3 * noise))
+    return int(below[-1]) if below.size else 0
