@@ -1,0 +1,10 @@
+"""The planar world on pymunk: time loop, force laws, legform builder, rig fixtures, quality figures.
+
+`simulate` is the way in. Importing this room imports pymunk and numba, so it is imported where it is used.
+"""
+
+from certkit.mechanics.motion import Figure, Motion
+from certkit.mechanics.quality import Quality
+from certkit.mechanics.simulate import Simulation, simulate
+
+__all__ = ["Figure", "Motion", "Quality", "Simulation", "simulate"]

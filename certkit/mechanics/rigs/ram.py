@@ -1,0 +1,51 @@
+"""The ram of the inverse test: a guided mass with a honeycomb face."""
+
+from __future__ import annotations
+
+import math
+
+from certkit.definitions.legform import Flesh
+from certkit.definitions.rig import Ram
+from certkit.mechanics.laws import CRUSH
+from certkit.mechanics.rigs.site import Site, box, strips
+
+ELASTIC = 0.001
+"""m: depth at which honeycomb reaches its crush strength. Doubling it changes no peak by more than 0.5 %."""
+
+
+def fit_ram(site: Site, ram: Ram) -> None:
+    """Let the ram touch the upright leg at full speed. With flesh fitted, that is squeezed before the honeycomb gives way."""
+    top, height = float(ram.top_edge), float(ram.height)
+    face = site.face(top, top - height)
+    body = site.assembly.add_body(
+        "ram", float(ram.mass), 0.0, (face, 0.0, 0.0), speed=(-float(ram.speed), 0.0, 0.0), guided=True
+    )
+    narrow = float(min(ram.width_on_knee, ram.width_on_bones))
+    elastic = ELASTIC
+    if site.cover > 0:
+        elastic += _squeeze(site.legform.flesh, float(ram.crush_strength) * narrow)
+    for z, part in strips(top, height):
+        site.assembly.add_row(
+            CRUSH,
+            (body,),
+            {
+                "face x": 0.0,
+                "face z": z,
+                "height": part,
+                "strength": float(ram.crush_strength),
+                "elastic depth": elastic,
+                "thickness": site.cover,
+            },
+        )
+    site.trigger = CRUSH
+    site.longest = 0.01
+    site.figures[body] = ("ram", box(0.0, float(ram.depth), top - height, top))
+
+
+def _squeeze(flesh: Flesh, pressure: float) -> float:
+    """Return the depth at which the flesh carries a force per unit height (root of a cubic with one real root)."""
+    # d + d³/d₀² = p/k, by Cardano.
+    limit = float(flesh.thickness)
+    half = pressure / float(flesh.compression) * limit**2 / 2
+    root = math.sqrt(half**2 + limit**6 / 27)
+    return math.cbrt(half + root) + math.cbrt(half - root)
