@@ -2,39 +2,31 @@
 
 from __future__ import annotations
 
-from typing import Any, get_args
+from typing import Any, Self
 
 from pydantic import BaseModel, ConfigDict, model_validator
 
-from certkit.definitions.origin import Dimension, Origin
+from certkit.definitions.faults import Faults
+from certkit.definitions.origin import Confidence, Number, Origin
+from certkit.definitions.shape import Shape, fields
 
 
-def _words(name: str) -> str:
+def words(name: str) -> str:
+    """Return the key that stands in YAML for a field's name: `added_mass` is written `added mass`."""
     return name.rstrip("_").replace("_", " ")
 
 
 class Document(BaseModel):
     """A mapping in a YAML file. Keys are words: `added mass`, `bending stiffness`; unknown keys are errors."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, alias_generator=_words, populate_by_name=True)
-
-
-def _is_number(annotation: Any, metadata: list[Any]) -> bool:  # noqa: ANN401  # type annotations of any kind
-    """Tell whether a field is a `Number`, also where it is optional or a list of them."""
-    if any(isinstance(m, Dimension) for m in metadata):
-        return True
-    return any(isinstance(a, Dimension) or _is_number(a, []) for a in get_args(annotation))
-
-
-def _with_origin(given: Any, origin: dict[str, Any]) -> Any:  # noqa: ANN401  # raw YAML data
-    """Give `origin` to a bare number, to the bare numbers in a list, or to a number that lacks its own."""
-    if isinstance(given, list):
-        return [_with_origin(item, origin) for item in given]
-    if isinstance(given, dict) and "value" in given:
-        return {**origin, **given}
-    if isinstance(given, (str, int, float)) and not isinstance(given, bool):
-        return {"value": given, **origin}
-    return given
+    model_config = ConfigDict(
+        extra="forbid",
+        frozen=True,
+        alias_generator=words,
+        populate_by_name=True,
+        serialize_by_alias=True,
+        coerce_numbers_to_str=True,  # `annex: 6` and `edition: 01` are words, kept as they were written
+    )
 
 
 class Section(Document):
@@ -45,40 +37,66 @@ class Section(Document):
     @model_validator(mode="before")
     @classmethod
     def _inherit(cls, data: Any) -> Any:  # noqa: ANN401  # raw YAML data
-        if not isinstance(data, dict) or not isinstance(data.get("origin"), dict):
+        if not isinstance(data, dict) or "origin" not in data:
             return data
-        origin = {k: v for k, v in data["origin"].items() if k in {"source", "confidence"}}
-        filled = dict(data)
-        for name, info in cls.model_fields.items():
-            key = info.alias or _words(name)
-            if key not in filled or key == "origin":
-                continue
-            given = filled[key]
-            if _is_number(info.annotation, list(info.metadata)):
-                filled[key] = _with_origin(given, origin)
-            elif isinstance(given, dict) and "origin" not in given and holds_sections(info.annotation):
-                filled[key] = {"origin": origin, **given}
-            elif isinstance(given, dict) and maps_sections(info.annotation):
-                filled[key] = {
-                    k: {"origin": origin, **v} if isinstance(v, dict) and "origin" not in v else v
-                    for k, v in given.items()
-                }
-            elif isinstance(given, list) and maps_sections(info.annotation):
-                filled[key] = [
-                    {"origin": origin, **v} if isinstance(v, dict) and "origin" not in v else v for v in given
-                ]
-        return filled
+        origin = data["origin"]
+        if isinstance(origin, Origin):
+            origin = origin.model_dump()
+        if not isinstance(origin, dict):
+            return data  # reported where it stands
+        origin = {key: origin[key] for key in ("source", "confidence") if key in origin}
+        shapes = fields(cls)
+        return {
+            key: value if key == "origin" else _with_origin(value, shapes.get(words(key), shapes.get(key)), origin)
+            for key, value in data.items()
+        }
 
 
-def holds_sections(annotation: Any) -> bool:  # noqa: ANN401  # type annotations of any kind
-    """Tell whether an annotation is a `Section`, or an optional one."""
-    if isinstance(annotation, type):
-        return issubclass(annotation, Section)
-    origin = getattr(annotation, "__origin__", None)
-    return origin not in {dict, list, tuple} and any(holds_sections(a) for a in get_args(annotation))
+class Sourced(Section):
+    """A part whose numbers are texts with one origin: its own `source` and `confidence`, or those it inherits."""
+
+    source: str | None = None
+    confidence: Confidence | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _take_origin(cls, data: Any) -> Any:  # noqa: ANN401  # raw YAML data
+        origin = data.get("origin") if isinstance(data, dict) else None
+        if isinstance(origin, Origin):
+            origin = origin.model_dump()
+        if not isinstance(origin, dict):
+            return data
+        return {**{key: origin[key] for key in ("source", "confidence") if key in origin}, **data}
+
+    @model_validator(mode="after")
+    def _has_origin(self) -> Self:
+        if self.source is None or self.confidence is None:
+            missing = "source" if self.source is None else "confidence"
+            message = f"`{missing}` is missing; add it here, or an `origin` with source and confidence further up"
+            raise Faults([((), message)])
+        return self
+
+    def lines(self) -> dict[str, str]:
+        """Return its numbers as people read them, by key; an empty key stands for the part as a whole."""
+        raise NotImplementedError
 
 
-def maps_sections(annotation: Any) -> bool:  # noqa: ANN401  # type annotations of any kind
-    """Tell whether an annotation is a mapping or list of `Section`s."""
-    origin = getattr(annotation, "__origin__", None)
-    return origin in {dict, list, tuple} and any(holds_sections(a) for a in get_args(annotation))
+def _with_origin(given: Any, shape: Shape | None, origin: dict[str, Any]) -> Any:  # noqa: ANN401  # raw YAML data
+    """Give `origin` to every number and section in `given` that has none of its own."""
+    if shape is None:
+        return given
+    if shape.kind == "number":
+        if isinstance(given, dict):
+            return {**origin, **given} if "value" in given else given
+        bare = isinstance(given, (str, int, float)) and not isinstance(given, (bool, Number))
+        return {"value": given, **origin} if bare else given
+    if shape.kind == "document":
+        inherits = shape.model is not None and issubclass(shape.model, Section)
+        if inherits and isinstance(given, dict) and "origin" not in given:
+            return {"origin": origin, **given}
+        return given
+    if shape.kind == "mapping" and isinstance(given, dict):
+        return {key: _with_origin(value, shape.item, origin) for key, value in given.items()}
+    if shape.kind == "list" and isinstance(given, (list, tuple)):
+        return [_with_origin(value, shape.item, origin) for value in given]
+    return given

@@ -7,11 +7,12 @@ written in, its source and how far that source can be trusted. Code that calcula
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal, cast, get_args
 
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic_core import core_schema
 
+from certkit.definitions.faults import Fault, Faults
 from certkit.definitions.quantities import UNITS, parse_quantity
 
 Confidence = Literal["verified", "recalled", "derived", "calibrated", "estimated"]
@@ -20,13 +21,15 @@ Confidence = Literal["verified", "recalled", "derived", "calibrated", "estimated
 
 CONFIDENCES: tuple[str, ...] = get_args(Confidence)
 
+MIN_SOURCE = 3  # letters; less names nothing
+
 
 class Origin(BaseModel):
     """Where a number comes from, and how far that can be trusted."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
-    source: Annotated[str, Field(min_length=3, description="Text, test or fit that the number comes from.")]
+    source: Annotated[str, Field(min_length=MIN_SOURCE, description="Text, test or fit that the number comes from.")]
     confidence: Confidence
 
 
@@ -64,18 +67,33 @@ class Dimension:
             return given
         if not isinstance(given, Mapping):
             parse_quantity(given, self.name)  # a wrong unit is the more useful message
-            raise ValueError(  # noqa: TRY004  # pydantic gathers ValueErrors
+            message = (
                 f"`{given}` has no origin; write {{value: {given}, source: …, confidence: …}} "
                 "or give the section an `origin`"
             )
-        unknown = sorted(set(given) - {"value", "source", "confidence"})
-        if unknown:
-            raise ValueError(f"unknown key `{unknown[0]}`; a number has value, source and confidence")
+            raise Faults([((), message)])
+        faults: list[Fault] = [
+            ((key,), f"`{key}` is not known here; a number has value, source and confidence")
+            for key in given
+            if key not in {"value", "source", "confidence"}
+        ]
+        value, source, confidence = given.get("value"), given.get("source"), given.get("confidence")
+        number = 0.0
         if "value" not in given:
-            raise ValueError("`value` is missing")
-        origin = Origin.model_validate({k: given[k] for k in ("source", "confidence") if k in given})
-        value = given["value"]
-        return Number(parse_quantity(value, self.name), str(value), origin.source, origin.confidence)
+            faults.append(((), "`value` is missing"))
+        else:
+            try:
+                number = parse_quantity(value, self.name)
+            except ValueError as error:
+                faults.append((("value",), str(error)))
+        if not isinstance(source, str) or len(source) < MIN_SOURCE:
+            faults.append((("source",), "`source` has to name the text, test or fit that the number comes from"))
+        if confidence not in CONFIDENCES:
+            message = f"`{confidence}` is no confidence" if confidence else "`confidence` is missing"
+            faults.append((("confidence",), f"{message}; write one of {', '.join(CONFIDENCES)}"))
+        if faults:
+            raise Faults(faults)
+        return Number(number, str(value), str(source), cast("Confidence", confidence))
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> core_schema.CoreSchema:  # noqa: ANN401  # pydantic's own signature
         """Read with `_read`; write as the mapping of value, source and confidence."""

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from certkit.definitions.document import Document, Section
+from certkit.definitions.document import Document, Section, Sourced
+from certkit.definitions.faults import Fault, Faults
 from certkit.definitions.origin import Confidence, Time
+from certkit.definitions.quantities import UNITS, parse_quantity
 from certkit.definitions.rig import Rig
+from certkit.definitions.sentences import suggestion
 
 
 class Method(Document):
@@ -60,31 +63,58 @@ class At(Document):
     equals: str
 
 
+Filter = Literal["none", "CFC 60", "CFC 180", "CFC 600", "CFC 1000"]
+Measure = Literal["max", "min", "max abs", "value at", "time of max", "curve in polygon", "curve in band"]
+
+
 class Criterion(Document):
     """One thing that is measured on the recording and held against a corridor.
 
-    Without a corridor (or with one that nobody supplied) a criterion is informative: shown, not graded.
+    Without a corridor, or with one that its set still awaits, a criterion is informative: shown, not graded.
     """
 
     id: str
     title: str
-    channel: str | None = None
+    channel: Annotated[str | None, Field(description="Short name or words of a channel.")] = None
     curve: Curve | None = None
-    filter: Literal["none", "CFC 60", "CFC 180", "CFC 600", "CFC 1000"] = "none"
-    measure: Literal["max", "min", "max abs", "value at", "time of max", "curve in polygon", "curve in band"]
+    filter: Filter = "none"
+    measure: Measure
     at: At | None = None
     interval: Literal["whole", "assessment interval"] = "whole"
     corridor: Annotated[str | None, Field(description="`set/entry`.")] = None
+    note: Annotated[str | None, Field(description="What a reader should know about it.")] = None
 
 
-class Precondition(Document):
+class Precondition(Sourced):
     """A condition the test must have been done under, else it is not evaluated."""
 
     quantity: str
     dimension: str
     within: Annotated[list[str], Field(min_length=2, max_length=2)]
     applies_to: Literal["measured", "simulated", "both"] = "measured"
-    required: bool = True
+    required: Annotated[bool, Field(description="False: checked when it was recorded, else only named.")] = True
+
+    @model_validator(mode="after")
+    def _has_order(self) -> Self:
+        if self.dimension not in UNITS:
+            message = f"`{self.dimension}` is no dimension; {suggestion(self.dimension, list(UNITS))}"
+            raise Faults([(("dimension",), message)])
+        faults: list[Fault] = []
+        values = []
+        for index, text in enumerate(self.within):
+            try:
+                values.append(parse_quantity(text, self.dimension))
+            except ValueError as error:
+                faults.append((("within", index), str(error)))
+        if not faults and values[0] > values[1]:
+            faults.append((("within",), f"{self.within[0]} lies above {self.within[1]}; exchange them"))
+        if faults:
+            raise Faults(faults)
+        return self
+
+    def lines(self) -> dict[str, str]:
+        """Return `18 °C to 22 °C`."""
+        return {"": f"{self.within[0]} to {self.within[1]}"}
 
 
 class Procedure(Section):
@@ -112,5 +142,6 @@ class Procedure(Section):
         try:
             method = Method.model_validate(data["method"])
         except ValueError:
-            return data  # reported where it stands
+            # What is wrong with the method is reported where it stands; that its numbers lack an origin is no news then.
+            return {**data, "origin": {"source": "a method that cannot be read", "confidence": "estimated"}}
         return {**data, "origin": {"source": method.words, "confidence": method.confidence}}

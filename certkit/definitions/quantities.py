@@ -1,13 +1,14 @@
 """Quantities as people write them (`5 kg`, `25 mm`, `15 deg`) and as the program uses them: plain SI numbers.
 
-About thirty units in a dozen dimensions are needed; importing pint for them costs 0.6 s, three times what a whole simulated test
-takes, so the table is ours and pint is the oracle of the tests.
+Some sixty units in two dozen dimensions are needed; importing pint for them costs 0.6 s, three times what a whole
+simulated test takes, so the table is ours and pint is the oracle of the tests.
 """
 
 from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from types import MappingProxyType
 
 # Dimension → unit → factor to SI. Temperatures have an offset too and are handled below.
@@ -94,3 +95,44 @@ def parse_quantity(text: object, dimension: str) -> float:
     if not math.isfinite(value):
         raise ValueError(f"`{text}` is not a finite number")
     return value
+
+
+def dimensions(text: object) -> list[str]:
+    """Return every dimension that a text is a quantity of: `25 mm` is a length, `3 g` a mass or an acceleration."""
+    found = []
+    for dimension in UNITS:
+        try:
+            parse_quantity(text, dimension)
+        except ValueError:
+            continue
+        found.append(dimension)
+    return found
+
+
+def alike(texts: Sequence[str]) -> tuple[list[float], list[tuple[int, str]]]:
+    """Read quantities that have to be of one kind, though nobody says of which.
+
+    Parameters
+    ----------
+    texts : sequence of str
+        Such as `235 N·m`, `0.272 kN·m`.
+
+    Returns
+    -------
+    tuple of list
+        The SI values, and (index, what is wrong) of each text that is no quantity or of another kind than those before;
+        there are values only when nothing is wrong.
+    """
+    common: list[str] = []
+    wrong = []
+    for index, text in enumerate(texts):
+        found = dimensions(text)
+        shared = [dimension for dimension in found if not common or dimension in common]
+        if not found:
+            wrong.append((index, f"`{text}` is not a number with a unit that certkit knows"))
+        elif not shared:
+            kinds = " or ".join(common)
+            wrong.append((index, f"`{text}` is another kind of quantity than the {kinds} before it"))
+        else:
+            common = shared
+    return ([] if wrong else [parse_quantity(text, common[0]) for text in texts]), wrong

@@ -6,16 +6,23 @@ from typing import Annotated
 
 from pydantic import Field
 
-from certkit.definitions.document import Section
+from certkit.definitions.document import Sourced
 
 
-class Reference(Section):
+class Reference(Sourced):
     """Values by criterion id. The error rule is (simulation − test) / test."""
 
     reference: Annotated[str, Field(description="Its name.")]
     title: str
-    values: Annotated[dict[str, str], Field(description="Quantity by criterion id, such as `F3: 81 N·m`.")]
+    values: Annotated[dict[str, str], Field(min_length=1, description="Quantity by criterion id, such as `F3: 81 N·m`.")]
     published: Annotated[
         dict[str, str], Field(description="Another simulation's values beside them, for the same criteria.")
     ] = {}
     notes: list[str] = []
+
+    def lines(self) -> dict[str, str]:
+        """Return each value, with the published simulation's beside it."""
+        return {
+            f"values.{name}": f"{value} (published: {self.published[name]})" if name in self.published else value
+            for name, value in self.values.items()
+        }

@@ -1,7 +1,7 @@
 """The channels of a Flex-PLI test: their short names, the words of the field, and their ISO-MME codes.
 
-The codes resolve part by part in the ISO/TS 13499 tables (fine location `PF`: Flex-PLI); that they are *the* usual
-Flex-PLI codes is an estimate, so a laboratory can override them (`certkit.exchange`).
+The codes resolve part by part in the ISO/TS 13499 tables (fine location `PF`: Flex-PLI); that they are *the*
+usual Flex-PLI codes is an estimate, so a laboratory can override them (`certkit.exchange`).
 """
 
 from __future__ import annotations
@@ -16,6 +16,8 @@ class Dimension:
 
     Parameters
     ----------
+    name : str
+        Its name.
     si : str
         Unit of the stored values.
     unit : str
@@ -28,6 +30,11 @@ class Dimension:
     si: str
     unit: str
     scale: float
+
+    @property
+    def quantity(self) -> str:
+        """Key of `certkit.definitions.quantities.UNITS` that its values are written in."""
+        return "length" if self.name in {"elongation", "displacement"} else self.name
 
 
 MOMENT = Dimension("moment", "N·m", "N·m", 1.0)

@@ -1,0 +1,82 @@
+"""The kinds of definition: the key each file starts with, its document, and the folder it is kept in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from importlib import import_module
+from typing import TYPE_CHECKING, cast
+
+from certkit.errors import UsageError
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel
+
+    from certkit.definitions.validation import Check
+
+
+@dataclass(frozen=True)
+class Kind:
+    """One kind of definition file.
+
+    Parameters
+    ----------
+    word : str
+        The key that a file of this kind starts with; its value is the definition's name.
+    title : str
+        What the file is, in a few words.
+    home : str
+        `module:class` of its document, imported when first needed.
+    folder : str
+        Where the library keeps such files; empty for files that are only ever named by their path.
+    checks : str
+        `module:function` that looks at the whole file.
+    """
+
+    word: str
+    title: str
+    home: str
+    folder: str = ""
+    checks: str = ""
+
+    @property
+    def model(self) -> type[BaseModel]:
+        """Return the document's class."""
+        return cast("type[BaseModel]", _named(self.home))
+
+    @property
+    def check(self) -> Check | None:
+        """Return the check of the whole file, if there is one."""
+        return cast("Check", _named(self.checks)) if self.checks else None
+
+
+def _named(home: str) -> object:
+    module, name = home.split(":")
+    return getattr(import_module(f"certkit.definitions.{module}"), name)
+
+
+_ALL = (
+    Kind("procedure", "a test: rig, criteria, preconditions", "procedure:Procedure", "procedures", "checks:check_procedure"),
+    Kind("corridors", "corridors, limits and scores", "corridor:CorridorSet", "corridors"),
+    Kind("legform", "masses, stiffnesses and geometry of a leg", "legform:Legform", "models/legforms", "checks:check_legform"),
+    Kind("vehicle", "a car front as the leg meets it", "vehicle:Vehicle", "models/vehicles", "checks:check_vehicle"),
+    Kind("case", "finite-element histories that a vehicle is extracted from", "case:Case"),
+    Kind("reference", "values to compare with", "reference:Reference", "references", "checks:check_reference"),
+)
+
+KINDS = {kind.word: kind for kind in _ALL}
+
+
+def kind_of(word: str) -> Kind:
+    """Return a kind by its word, also by its plural or its folder's name.
+
+    Raises
+    ------
+    UsageError
+        When there is no such kind; names those there are.
+    """
+    from certkit.definitions.sentences import suggestion  # noqa: PLC0415  # difflib, only needed when something is wrong
+
+    for kind in _ALL:
+        if word in {kind.word, f"{kind.word}s", kind.folder, kind.folder.rpartition("/")[2], kind.word.rstrip("s")}:
+            return kind
+    raise UsageError(f"`{word}` is no kind of definition; {suggestion(word, list(KINDS))}")

@@ -1,0 +1,60 @@
+"""All numbers of a document in one list, each with its origin: what a report prints and `certkit show` lists."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from pydantic import BaseModel
+
+from certkit.definitions.document import Sourced, words
+from certkit.definitions.origin import Confidence, Number
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number or corridor with its origin.
+
+    Parameters
+    ----------
+    path : str
+        In the words of the file: `rig.hinge.offset`.
+    value : str
+        As it was written, with its unit.
+    source : str
+        Text, test or fit it comes from.
+    confidence : str
+        How far that can be trusted.
+    """
+
+    path: str
+    value: str
+    source: str
+    confidence: Confidence
+
+
+def parameters(document: BaseModel) -> list[Parameter]:
+    """List every number of a document, in the order of the file."""
+    return list(_walk(document, ""))
+
+
+def _walk(given: object, path: str) -> Iterator[Parameter]:
+    if isinstance(given, Number):
+        yield Parameter(path, given.text, given.source, given.confidence)
+    elif isinstance(given, BaseModel):
+        if isinstance(given, Sourced) and given.source is not None and given.confidence is not None:
+            for key, line in given.lines().items():
+                yield Parameter(_join(path, key), line, given.source, given.confidence)
+            return
+        for name, info in type(given).model_fields.items():
+            yield from _walk(getattr(given, name), _join(path, info.alias or words(name)))
+    elif isinstance(given, dict):
+        for key, entry in given.items():
+            yield from _walk(entry, _join(path, str(key)))
+    elif isinstance(given, (list, tuple)):
+        for index, entry in enumerate(given, 1):
+            yield from _walk(entry, _join(path, str(getattr(entry, "id", None) or getattr(entry, "quantity", index))))
+
+
+def _join(path: str, key: str) -> str:
+    return ".".join(part for part in (path, key) if part)

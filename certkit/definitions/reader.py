@@ -1,0 +1,250 @@
+"""Read YAML that may come from anywhere: nothing is executed, nothing can explode, every value keeps its place.
+
+PyYAML's parser (libyaml where it is built in) only cuts the text into events; what they mean is decided here, because its
+own loaders let a later duplicate key win, follow tags, resolve scalars by YAML 1.1, and forget the places.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import yaml
+
+from certkit.definitions.faults import Steps
+from certkit.definitions.scalars import plain_scalar
+from certkit.errors import DefinitionError, Problem
+
+MAX_BYTES = 2_000_000
+MAX_DEPTH = 40
+MAX_NODES = 200_000  # aliases count with all they stand for
+
+_LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+Place = tuple[int, int]
+"""Line and column, one-based."""
+
+
+@dataclass(frozen=True)
+class Tree:
+    """A YAML file as plain data, with the place of each value and key.
+
+    Parameters
+    ----------
+    file : str
+        The file as the user named it.
+    data : dict
+        Mappings with string keys, lists, words, numbers, truth values and None.
+    values, keys : dict
+        Place of the value, and of the key, at the end of each path of keys and indices.
+    problems : list of Problem
+        What is wrong already, though it did not stop the reading (duplicate keys, tags).
+    changed : dict
+        Paths whose values do not come from the file, and where they come from.
+    """
+
+    file: str
+    data: dict[str, Any]
+    values: dict[Steps, Place]
+    keys: dict[Steps, Place]
+    problems: list[Problem]
+    changed: dict[Steps, str] = field(default_factory=dict)
+
+    def place(self, steps: Steps, *, key: bool = False) -> Place:
+        """Return the place of the value at `steps` (or of its key), or of its nearest ancestor."""
+        if key and steps in self.keys:
+            return self.keys[steps]
+        while steps not in self.values and steps:
+            steps = steps[:-1]
+        return self.values.get(steps, (1, 1))
+
+    def problem(self, steps: Steps, message: str, *, key: bool = False) -> Problem:
+        """Make a problem that stands at `steps`."""
+        for end in range(len(steps), 0, -1):
+            if steps[:end] in self.changed:
+                return Problem(self.changed[steps[:end]], 0, 0, message)
+        line, column = self.place(steps, key=key)
+        return Problem(self.file, line, column, message)
+
+
+def read_tree(data: bytes | str, file: str) -> Tree:
+    """Read one YAML document whose top is a mapping.
+
+    Parameters
+    ----------
+    data : bytes or str
+        The file's content; bytes are UTF-8, with or without a byte order mark.
+    file : str
+        What the file is called in messages.
+
+    Returns
+    -------
+    Tree
+
+    Raises
+    ------
+    DefinitionError
+        When it is no YAML, not UTF-8, too large, too deep, empty, several documents, or no mapping at its top.
+    """
+    text = _decode(data, file)
+    reader = _Reader(file, _events(text, file))
+    return reader.read()
+
+
+def read_value(text: str, file: str) -> Any:  # noqa: ANN401  # any plain data
+    """Read a single value as it could stand behind a key, such as `30 mm`, `12` or `{at: femur end, offset: 0 mm}`."""
+    tree = read_tree(f"value: {text}" if text.strip() else "value:", file)
+    if tree.problems or list(tree.data) != ["value"]:
+        raise DefinitionError(tree.problems or [Problem(file, 0, 0, f"`{text}` is not one value")])
+    return tree.data["value"]
+
+
+def _decode(data: bytes | str, file: str) -> str:
+    if len(data) > MAX_BYTES:
+        message = f"is larger than {MAX_BYTES // 1_000_000} MB; definitions are small: is this the right file?"
+        raise DefinitionError([Problem(file, 0, 0, message)])
+    if isinstance(data, str):
+        return data.removeprefix("\ufeff")
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise DefinitionError([Problem(file, 1, 1, "is saved as UTF-16; save it as UTF-8")])
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        before = data[: error.start]
+        line, column = before.count(b"\n") + 1, error.start - before.rfind(b"\n")
+        message = f"byte 0x{data[error.start]:02x} is not UTF-8; save the file as UTF-8"
+        raise DefinitionError([Problem(file, line, column, message)]) from None
+
+
+def _events(text: str, file: str) -> Iterator[Any]:
+    """Yield the parser's events; what it cannot parse becomes a sentence for people."""
+    try:
+        yield from yaml.parse(text, Loader=_LOADER)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        line, column = (mark.line + 1, mark.column + 1) if mark else (0, 0)
+        raise DefinitionError([Problem(file, line, column, _syntax(error, text))]) from None
+    except yaml.YAMLError as error:
+        message = "holds a character that YAML does not allow (a control character?); remove it"
+        position = getattr(error, "position", None)
+        line = text.count("\n", 0, position) + 1 if isinstance(position, int) else 0
+        raise DefinitionError([Problem(file, line, int(line > 0), message)]) from None
+    except (RecursionError, ValueError):  # the parser's own limits, and what libyaml hands to Python
+        raise DefinitionError([Problem(file, 0, 0, "cannot be read as YAML")]) from None
+
+
+def _syntax(error: yaml.MarkedYAMLError, text: str) -> str:
+    said = f"{error.context or ''} {error.problem or ''}"
+    line = (text.splitlines() or [""])[min(error.problem_mark.line, text.count("\n"))] if error.problem_mark else ""
+    if "tab" in said or "'\\t'" in said or line.lstrip(" ").startswith("\t"):
+        return "a tab cannot indent YAML; use spaces"
+    if "alias" in said:
+        return f"{error.problem}; name it with & first, or write the value out"
+    if "mapping values are not allowed" in said:
+        return "a second `:` in one line; is a line break or a pair of quotes missing?"
+    if "could not find expected ':'" in said or "expected ':'" in said:
+        return "`:` is missing after a key"
+    hint = "; check indentation, brackets and quotes here and in the line before"
+    return f"is not YAML: {error.problem or error.context}{hint}"
+
+
+@dataclass
+class _Reader:
+    """Builds the tree from events, at most `MAX_DEPTH` deep and `MAX_NODES` large."""
+
+    file: str
+    events: Iterator[Any]
+    values: dict[Steps, Place] = field(default_factory=dict)
+    keys: dict[Steps, Place] = field(default_factory=dict)
+    problems: list[Problem] = field(default_factory=list)
+    anchors: dict[str, tuple[Any, int]] = field(default_factory=dict)
+    nodes: int = 0
+
+    def read(self) -> Tree:
+        next(self.events)  # stream start
+        event = next(self.events)
+        if isinstance(event, yaml.StreamEndEvent):
+            raise self._stop(event, "is empty; a definition starts with its kind, such as `procedure: my-test`")
+        top = next(self.events)
+        data = self._node(top, ())
+        next(self.events)  # document end
+        event = next(self.events)
+        if not isinstance(event, yaml.StreamEndEvent):
+            raise self._stop(event, "a second document starts here (`---`); put it into a file of its own")
+        if not isinstance(data, dict):
+            raise self._stop(top, "is not a mapping; a definition starts with its kind, such as `procedure: my-test`")
+        return Tree(self.file, data, self.values, self.keys, self.problems)
+
+    def _stop(self, event: Any, message: str) -> DefinitionError:  # noqa: ANN401  # PyYAML's events are untyped
+        return DefinitionError([*self.problems, self._problem(event, message)])
+
+    def _problem(self, event: Any, message: str) -> Problem:  # noqa: ANN401  # as above
+        mark = event.start_mark
+        return Problem(self.file, mark.line + 1, mark.column + 1, message)
+
+    def _node(self, event: Any, steps: Steps) -> Any:  # noqa: ANN401  # as above
+        self._count(1, event)
+        if len(steps) > MAX_DEPTH:
+            raise self._stop(event, f"is nested more than {MAX_DEPTH} levels deep")
+        self.values[steps] = (event.start_mark.line + 1, event.start_mark.column + 1)
+        if isinstance(event, yaml.AliasEvent):
+            return self._alias(event)
+        if event.tag is not None:
+            self.problems.append(self._problem(event, f"the tag `{event.tag}` is not used here; remove it"))
+        before = self.nodes
+        if isinstance(event, yaml.ScalarEvent):
+            data: Any = plain_scalar(event.value) if event.implicit[0] else event.value
+        elif isinstance(event, yaml.SequenceStartEvent):
+            data = self._list(steps)
+        else:
+            data = self._mapping(steps)
+        if event.anchor is not None:
+            self.anchors[event.anchor] = (data, self.nodes - before + 1)
+        return data
+
+    def _list(self, steps: Steps) -> list[Any]:
+        items: list[Any] = []
+        while not isinstance(event := next(self.events), yaml.SequenceEndEvent):
+            items.append(self._node(event, (*steps, len(items))))
+        return items
+
+    def _mapping(self, steps: Steps) -> dict[str, Any]:
+        entries: dict[str, Any] = {}
+        while not isinstance(event := next(self.events), yaml.MappingEndEvent):
+            if not isinstance(event, yaml.ScalarEvent):
+                raise self._stop(event, "a key has to be a word")
+            self._count(1, event)
+            key, place = event.value, (event.start_mark.line + 1, event.start_mark.column + 1)
+            twice = key in entries
+            if twice:
+                first = self.keys[(*steps, key)][0]
+                self.problems.append(self._problem(event, f"`{key}` stands here twice (first in line {first}); keep one"))
+            path = (*steps, key)
+            if not twice:
+                self.keys[path] = place
+            value = self._node(next(self.events), (*steps, f"{key} (again)") if twice else path)
+            if not twice:
+                entries[key] = value
+        return entries
+
+    def _alias(self, event: Any) -> Any:  # noqa: ANN401  # as above
+        if event.anchor not in self.anchors:  # unknown, or inside the very value it names
+            raise self._stop(event, f"`*{event.anchor}` names no value before it; write the value out")
+        data, size = self.anchors[event.anchor]
+        self._count(size, event)
+        return _copy(data)
+
+    def _count(self, more: int, event: Any) -> None:  # noqa: ANN401  # as above
+        self.nodes += more
+        if self.nodes > MAX_NODES:
+            raise self._stop(event, f"holds more than {MAX_NODES} values, counting aliases with all they stand for")
+
+
+def _copy(data: Any) -> Any:  # noqa: ANN401  # any plain data
+    """Copy mappings and lists, so that nothing is shared between two places of the tree."""
+    if isinstance(data, dict):
+        return {key: _copy(value) for key, value in data.items()}
+    if isinstance(data, list):
+        return [_copy(value) for value in data]
+    return data
