@@ -1,1 +1,1 @@
-"""Files from laboratories and finite-element programs, read into recordings and histories. Interprets nothing."""
+"""Files ↔ recordings: ISO-MME, CSV, LS-DYNA, OpenRadioss. Checks and converts, interprets nothing."""

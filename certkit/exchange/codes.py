@@ -1,0 +1,72 @@
+"""Channel codes: from the sixteen characters of ISO/TS 13499 to a channel of the Flex-PLI and back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+
+from certkit.definitions.mapping import Condition, Mapping, MmeTable
+from certkit.definitions.reader import read_tree
+from certkit.definitions.validation import validate
+from certkit.exchange.filters import LETTER_OF_FILTER
+
+
+@dataclass(frozen=True)
+class CodeTable:
+    """The shipped table with a laboratory's own entries laid over it.
+
+    Parameters
+    ----------
+    codes : dict of str to tuple of str
+        Patterns by channel; the first is the one that is written.
+    signs : dict of str to int
+        Polarity by channel where it is turned.
+    conditions : dict of str to Condition
+        By the word of the condition.
+    """
+
+    codes: dict[str, tuple[str, ...]]
+    signs: dict[str, int]
+    conditions: dict[str, Condition]
+
+    def channel(self, code: str) -> str | None:
+        """Return the channel's short name for a code, or None when the code is of something else."""
+        return next((name for name, known in self.codes.items() if any(_fits(p, code) for p in known)), None)
+
+    def code(self, name: str, filtered: str) -> str:
+        """Return the code under which a channel with this filter state is written."""
+        own = self.codes[name][0].replace("?", "0")
+        return own[:-1] + LETTER_OF_FILTER.get(filtered, "S")
+
+    def condition_of(self, descriptor: str) -> tuple[str, Condition] | None:
+        """Return the condition that an ISO-MME descriptor carries."""
+        return next(
+            (
+                (word, condition)
+                for word, condition in self.conditions.items()
+                if condition.descriptor and condition.descriptor.casefold() == descriptor.casefold()
+            ),
+            None,
+        )
+
+
+def _fits(pattern: str, code: str) -> bool:
+    """Tell whether a pattern, with `?` for any character, fits a code."""
+    return len(pattern) == len(code) and all(p in {"?", c} for p, c in zip(pattern, code, strict=True))
+
+
+@cache
+def shipped_table() -> Mapping:
+    """Read the table that certkit ships."""
+    source = files("certkit.exchange") / "flex-pli.yaml"
+    return validate(read_tree(source.read_bytes(), source.name), Mapping)
+
+
+def code_table(mapping: Mapping | None = None) -> CodeTable:
+    """Lay a laboratory's entries over the shipped table; where both know a code, the laboratory's wins."""
+    shipped, own = shipped_table().mme, mapping.mme if mapping else MmeTable()
+    codes = {name: tuple(patterns) for name, patterns in own.codes.items()}
+    for name, patterns in shipped.codes.items():
+        codes[name] = (*codes.get(name, ()), *patterns)
+    return CodeTable(codes, {**shipped.signs, **own.signs}, {**shipped.conditions, **own.conditions})

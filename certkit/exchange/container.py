@@ -1,0 +1,164 @@
+"""Folders and zip archives seen as the same thing: names and bytes, nothing outside, nothing endless."""
+
+from __future__ import annotations
+
+import os
+import stat
+import zipfile
+import zlib
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from typing import TYPE_CHECKING
+
+from certkit.errors import DataError
+from certkit.exchange.limits import (
+    MAX_COMPRESSION,
+    MAX_CONTAINER_BYTES,
+    MAX_FILE_BYTES,
+    MAX_MEMBERS,
+    MEGABYTE,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+@dataclass(frozen=True)
+class Container:
+    """The files of one test.
+
+    Parameters
+    ----------
+    label : str
+        The folder or archive as the user named it.
+    names : tuple of str
+        Paths inside it with `/`, sorted.
+    read : callable
+        Gives the bytes of one of `names`; raises `DataError` when it is too large or damaged.
+    """
+
+    label: str
+    names: tuple[str, ...]
+    read: Callable[[str], bytes]
+
+    def place(self, name: str) -> str:
+        """Return how messages name a file inside."""
+        return f"{self.label}/{name}"
+
+
+def read_bounded(path: Path, label: str | None = None) -> bytes:
+    """Read a plain file of at most `MAX_FILE_BYTES`.
+
+    Raises
+    ------
+    DataError
+        When it is missing, no plain file (a pipe, a device) or too large.
+    """
+    label = label or str(path)
+    try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise DataError(f"{label}: not a plain file")
+        if status.st_size > MAX_FILE_BYTES:
+            raise DataError(
+                f"{label}: {status.st_size / MEGABYTE:.0f} MB; "
+                f"files above {MAX_FILE_BYTES / MEGABYTE:.0f} MB are refused"
+            )
+        return path.read_bytes()
+    except OSError as error:
+        raise DataError(f"{label}: cannot be read ({error.strerror})") from error
+
+
+def open_container(path: Path) -> Container:
+    """Open the folder or zip archive of one test.
+
+    Raises
+    ------
+    DataError
+        When it is missing, is neither, leads outside itself, or is too large to be a test.
+    """
+    if path.is_dir():
+        return _folder(path)
+    if not path.exists():
+        raise DataError(f"{path}: there is no such file or folder")
+    return _archive(path)
+
+
+def _folder(path: Path) -> Container:
+    names = []
+    for parent, folders, files in os.walk(path, followlinks=False):
+        for name in sorted(folders + files):
+            found = Path(parent, name)
+            relative = found.relative_to(path).as_posix()
+            if found.is_symlink():
+                raise DataError(
+                    f"{path}/{relative}: a symbolic link, which may lead out of the test; "
+                    "put the file itself here"
+                )
+            if name in files:
+                names.append(relative)
+        if len(names) > MAX_MEMBERS:
+            raise DataError(f"{path}: more than {MAX_MEMBERS} files; name the folder of one test")
+    return Container(
+        str(path), tuple(sorted(names)), lambda name: read_bounded(path / name, f"{path}/{name}")
+    )
+
+
+def _archive(path: Path) -> Container:
+    content = read_bounded(path)
+    try:
+        from io import BytesIO  # noqa: PLC0415  # only for archives
+
+        archive = zipfile.ZipFile(BytesIO(content))
+        members = [m for m in archive.infolist() if not m.is_dir() and not m.filename.startswith("__MACOSX/")]
+    except (zipfile.BadZipFile, ValueError, NotImplementedError, UnicodeDecodeError) as error:
+        raise DataError(f"{path}: not a whole zip archive ({error}); pack the test folder again") from error
+    if len(members) > MAX_MEMBERS:
+        raise DataError(f"{path}: more than {MAX_MEMBERS} files in the archive; pack one test")
+    by_name: dict[str, zipfile.ZipInfo] = {}
+    for member in members:
+        _check_member(path, member)
+        if member.filename in by_name:
+            raise DataError(f"{path}/{member.filename}: stands twice in the archive")
+        by_name[member.filename] = member
+    total = sum(member.file_size for member in members)
+    if total > MAX_CONTAINER_BYTES:
+        raise DataError(
+            f"{path}: unpacks to {total / MEGABYTE:.0f} MB; "
+            f"refused above {MAX_CONTAINER_BYTES / MEGABYTE:.0f} MB"
+        )
+
+    def read(name: str) -> bytes:
+        # The size in the archive's directory may lie, so reading stops one byte beyond it.
+        member = by_name[name]
+        try:
+            with archive.open(member) as stream:
+                data = stream.read(member.file_size + 1)
+        except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError) as error:
+            raise DataError(
+                f"{path}/{name}: damaged in the archive ({error}); pack the test again"
+            ) from error
+        if len(data) != member.file_size:
+            raise DataError(f"{path}/{name}: does not have the size that the archive states")
+        return data
+
+    return Container(str(path), tuple(sorted(by_name)), read)
+
+
+def _check_member(path: Path, member: zipfile.ZipInfo) -> None:
+    """Refuse archive entries that lead out of the archive, hide behind a password, or unpack without end."""
+    name = member.filename
+    place = f"{path}/{name}"
+    parts = PurePosixPath(name).parts
+    if name.startswith("/") or ".." in parts or "\\" in name or ":" in name or "\0" in member.orig_filename:
+        raise DataError(f"{place}: the name leads out of the archive; refused")
+    if stat.S_ISLNK(member.external_attr >> 16):
+        raise DataError(f"{place}: a symbolic link in the archive; refused")
+    if member.flag_bits & 0x1:
+        raise DataError(f"{place}: locked with a password; unlock the archive first")
+    bomb = member.file_size > MEGABYTE and member.file_size > MAX_COMPRESSION * max(member.compress_size, 1)
+    if bomb or member.file_size > MAX_FILE_BYTES:
+        raise DataError(
+            f"{place}: unpacks to {member.file_size / MEGABYTE:.0f} MB from {member.compress_size} bytes; "
+            "refused as a zip bomb"
+        )

@@ -1,0 +1,69 @@
+"""What a reader hands over: the recording, the files it came from, and every assumption that was made."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from certkit.errors import DataError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from certkit.signals.recording import Recording
+
+
+@dataclass(frozen=True)
+class SourceFile:
+    """A file that was read: its name as given and the SHA-256 of its bytes."""
+
+    name: str
+    sha256: str
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A recording with where it came from.
+
+    Parameters
+    ----------
+    recording : Recording
+        In SI units; its notes carry the assumptions.
+    files : tuple of SourceFile
+        Every file the recording rests on, sorted by name.
+    assumptions : tuple of str
+        What `lenient` let pass, one sentence each.
+    header : mapping of str to str
+        What the container says of the test: laboratory, title, date. Not trusted, only shown.
+    """
+
+    recording: Recording
+    files: tuple[SourceFile, ...]
+    assumptions: tuple[str, ...] = ()
+    header: Mapping[str, str] = field(default_factory=dict)
+
+
+class Leniency:
+    """Strict: the first departure from the standard is an error. Lenient: each becomes a listed assumption.
+
+    The one object with state in this room; a reader makes one per test and hands its list over in `Measured`.
+    """
+
+    def __init__(self, *, lenient: bool) -> None:
+        """Start with no assumptions."""
+        self.lenient = lenient
+        self.assumptions: list[str] = []
+
+    def depart(self, place: str, what: str, assumption: str) -> None:
+        """Report a departure: raise it, or note what is assumed instead.
+
+        Raises
+        ------
+        DataError
+            When reading strictly.
+        """
+        if not self.lenient:
+            raise DataError(
+                f"{place}: {what}; correct it, or read with --lenient, which assumes: {assumption}"
+            )
+        self.assumptions.append(f"{place}: {what}; assumed: {assumption}")

@@ -1,0 +1,239 @@
+"""Read an ISO-MME (ISO/TS 13499) container: a folder or zip archive with a `.mme` file and its channels.
+
+Strict: a wrong sample count, a missing list or an unknown unit is an error. The reader at hand, pyisomme 1.1,
+reads on in silence there (without `.chn` it sees no channels) and brings 53 packages with 800 MB; it is an
+oracle of the tests.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from certkit.definitions.vocabulary import CHANNELS
+from certkit.errors import DataError
+from certkit.exchange.codes import CodeTable, code_table
+from certkit.exchange.conditions import mapped_conditions, mme_conditions
+from certkit.exchange.container import Container, open_container
+from certkit.exchange.limits import MAX_CHANNELS
+from certkit.exchange.measured import Leniency, Measured, SourceFile
+from certkit.exchange.mme_channel import MmeChannel, read_channel
+from certkit.exchange.mme_header import Header, read_header
+from certkit.exchange.text import decode
+from certkit.exchange.timebase import common_base
+from certkit.signals.recording import Channel, Recording
+
+if TYPE_CHECKING:
+    from certkit.definitions.mapping import Mapping
+
+_SHOWN = (
+    "Laboratory name",
+    "Customer name",
+    "Title",
+    "Date of the test",
+    "Type of the test",
+    "Subtype of the test",
+    "Regulation",
+    "Laboratory test ref. number",
+    "Name of test object 1",
+    "Ref. number of test object 1",
+)
+
+
+@dataclass(frozen=True)
+class _Listed:
+    """A line of the channel list: the file's name and the code it should have."""
+
+    file: str
+    code: str
+
+
+class _Texts:
+    """Reads the container's text files, remembering hashes and encodings."""
+
+    def __init__(self, container: Container, leniency: Leniency) -> None:
+        self.container, self.leniency = container, leniency
+        self.files: list[SourceFile] = []
+        self.encodings: dict[str, str] = {}
+
+    def read(self, name: str) -> str:
+        data = self.container.read(name)
+        place = self.container.place(name)
+        if not data.strip():
+            raise DataError(f"{place}: is empty")
+        text, encoding = decode(data, place)
+        self.files.append(SourceFile(name, hashlib.sha256(data).hexdigest()))
+        if encoding != "ascii" and encoding not in self.encodings:
+            if self.encodings:
+                other, elsewhere = next(iter(self.encodings.items()))
+                self.leniency.depart(
+                    place, f"{encoding} text, but {elsewhere} is {other}", "each file has its own encoding"
+                )
+            self.encodings[encoding] = name
+        return text
+
+
+def read_mme(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> Measured:
+    """Read a container.
+
+    Parameters
+    ----------
+    path : Path
+        The test's folder, its zip archive, or the `.mme` file in the folder.
+    mapping : Mapping, optional
+        A laboratory's own codes, signs and conditions.
+    lenient : bool
+        List assumptions instead of stopping at departures from the standard.
+
+    Raises
+    ------
+    DataError
+        One line that says what is wrong, where, and what to do.
+    """
+    leniency = Leniency(lenient=lenient)
+    texts = _Texts(open_container(path.parent if path.suffix.lower() == ".mme" else path), leniency)
+    table = code_table(mapping)
+    master = _only(texts.container, ".mme", path)
+    header = read_header(texts.read(master).split("\n"), texts.container.place(master))
+    if header.find("Data format edition number") is None:
+        leniency.depart(header.place, "no `Data format edition number`", "edition 1.6")
+    listed = _channel_list(texts, leniency)
+    parts, notes = _channels(texts, listed, table, leniency)
+    base, values = common_base({x.place: (x.base, x.values) for x in parts}, leniency)
+    channels = {
+        x.kind.name: Channel(
+            x.kind.name, x.kind.title, x.kind.dimension, values[x.place], filtered=x.filtered, notes=x.notes
+        )
+        for x in sorted(parts, key=lambda x: list(CHANNELS).index(x.kind.name))
+    }
+    conditions = mme_conditions(header, table, leniency) | mapped_conditions(mapping, table)
+    recording = Recording(
+        kind="simulated" if all(x.simulated for x in parts) else "measured",
+        time=base.times(),
+        channels=MappingProxyType(channels),
+        conditions=MappingProxyType(conditions),
+        notes=(*notes, *leniency.assumptions),
+        source=path.name,
+    )
+    shown = {words: line.value for words in _SHOWN if (line := header.find(words))}
+    files = tuple(sorted(texts.files, key=lambda x: x.name))
+    return Measured(recording, files, tuple(leniency.assumptions), shown)
+
+
+def _only(container: Container, suffix: str, path: Path) -> str:
+    """Find the one file with that suffix."""
+    found = [name for name in container.names if name.lower().endswith(suffix)]
+    if not found:
+        raise DataError(f"{path}: no {suffix} file; is this the folder of an ISO-MME test?")
+    if len(found) > 1:
+        raise DataError(
+            f"{path}: {len(found)} {suffix} files ({found[0]}, {found[1]}); name the folder of one test"
+        )
+    return found[0]
+
+
+def _channel_list(texts: _Texts, leniency: Leniency) -> list[_Listed]:
+    """Read the `.chn` file, or, when lenient, the channel files that are there."""
+    container = texts.container
+    lists = [name for name in container.names if name.lower().endswith(".chn")]
+    if not lists:
+        leniency.depart(container.label, "no channel list (.chn)", "all channel files that are there")
+        names = [name for name in container.names if re.search(r"\.\d{3,}$", name)]
+        if not names:
+            raise DataError(f"{container.label}: no channel files")
+        return [_Listed(name, _code_of(texts, name)) for name in names[:MAX_CHANNELS]]
+    if len(lists) > 1:
+        raise DataError(f"{container.label}: {len(lists)} channel lists ({lists[0]}, {lists[1]}); keep one")
+    header = read_header(texts.read(lists[0]).split("\n"), container.place(lists[0]))
+    return _listed(header, PurePosixPath(lists[0]), container, leniency)
+
+
+def _listed(header: Header, place: PurePosixPath, container: Container, leniency: Leniency) -> list[_Listed]:
+    """Match the lines of the channel list with the files beside it."""
+    announced = header.find("Number of channels")
+    if announced is None:
+        leniency.depart(header.place, "no `Number of channels`", "the channels that are named")
+    by_name = {name.lower(): name for name in container.names}
+    found = []
+    named = [x for x in header.lines if re.fullmatch(r"name of channel\s+\d+", x.descriptor.lower())]
+    for line in named:
+        number = line.descriptor.split()[-1]
+        code = line.value.partition("/")[0].strip().upper()
+        file = by_name.get(str(place.with_suffix(f".{int(number):03d}")).lower())
+        if file is None:
+            leniency.depart(header.at(line), f"channel {number} ({code}) has no file", "it was not recorded")
+        else:
+            found.append(_Listed(file, code))
+    if announced and header.number(announced) > MAX_CHANNELS:
+        raise DataError(
+            f"{header.at(announced)}: {announced.value} channels; more than {MAX_CHANNELS} are refused"
+        )
+    if announced and header.number(announced) != len(named):
+        leniency.depart(
+            header.at(announced),
+            f"{announced.value} channels announced, {len(named)} named",
+            "the named ones are all there are",
+        )
+    return found
+
+
+def _code_of(texts: _Texts, name: str) -> str:
+    """Read a channel's code from its own file where no list tells it."""
+    place = texts.container.place(name)
+    text, _ = decode(texts.container.read(name), place)
+    line = read_header(text.split("\n"), place).find("Channel code")
+    return line.value.upper() if line else ""
+
+
+def _channels(
+    texts: _Texts, listed: list[_Listed], table: CodeTable, leniency: Leniency
+) -> tuple[list[MmeChannel], list[str]]:
+    """Read the channels that certkit knows; the rest is noted."""
+    label = texts.container.label
+    wanted: dict[str, _Listed] = {}
+    notes, others = [], []
+    for item in listed:
+        name = table.channel(item.code)
+        if name is None:
+            others.append(item.code)
+        elif name in wanted:
+            wanted[name] = _of_two(name, wanted[name], item, label)
+            notes.append(f"{name} was recorded twice; {wanted[name].code} is used")
+        else:
+            wanted[name] = item
+    parts = []
+    for name, item in wanted.items():
+        part = read_channel(
+            texts.read(item.file),
+            texts.container.place(item.file),
+            item.code,
+            name,
+            table.signs.get(name, 1),
+            leniency,
+        )
+        if part is None:
+            notes.append(f"{name} is not used: {item.file} says that its data are unusable")
+        else:
+            parts.append(part)
+    if not parts:
+        seen = ", ".join(others[:3]) or "none"
+        raise DataError(
+            f"{label}: no channel of a Flex-PLI among its codes ({seen}); a mapping file can name them"
+        )
+    if others:
+        notes.append(f"not used: {', '.join(others)}")
+    return parts, notes
+
+
+def _of_two(name: str, first: _Listed, second: _Listed, label: str) -> _Listed:
+    """Choose the unfiltered of two channels of the same name; certkit filters by itself."""
+    raw = [item for item in (first, second) if item.code[-1] in "0PQ"]
+    if len(raw) != 1:
+        raise DataError(
+            f"{label}: {first.file} and {second.file} are both {name}; name the right code in a mapping file"
+        )
+    return raw[0]

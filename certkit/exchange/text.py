@@ -1,0 +1,64 @@
+"""Text of unknown encoding: a ladder of encodings, and a clear word when a file mixes two."""
+
+from __future__ import annotations
+
+import codecs
+
+from certkit.errors import DataError
+
+_MARKS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+
+
+def decode(data: bytes, place: str, encoding: str | None = None) -> tuple[str, str]:
+    r"""Decode a text file.
+
+    The ladder: a byte order mark decides; else plain ASCII; else UTF-8; else Windows-1252, which reads the
+    text of ISO 8859-1 as well.
+
+    Returns
+    -------
+    (str, str)
+        The text with `\\n` line ends, and the encoding found.
+
+    Raises
+    ------
+    DataError
+        For binary content, and where lines of two encodings stand in one file.
+    """
+    found = encoding or next((name for mark, name in _MARKS if data.startswith(mark)), None)
+    if found is None and b"\0" in data:
+        line = data[: data.index(b"\0")].count(b"\n") + 1
+        raise DataError(f"{place}:{line}: a zero byte; this is no text file")
+    if found is None:
+        found = "ascii" if data.isascii() else "utf-8"
+    try:
+        text = data.decode(found)
+    except UnicodeDecodeError as error:
+        if found != "utf-8" or encoding:
+            line = data[: error.start].count(b"\n") + 1
+            raise DataError(f"{place}:{line}: not {found} text, as the start of the file says") from error
+        text, found = _windows(data, place), "cp1252"
+    return text.replace("\r\n", "\n").replace("\r", "\n"), found
+
+
+def _windows(data: bytes, place: str) -> str:
+    """Decode as Windows-1252 after making sure that no line is UTF-8."""
+    for number, line in enumerate(data.split(b"\n"), 1):
+        if line.isascii():
+            continue
+        try:
+            line.decode("utf-8")
+        except UnicodeDecodeError:
+            continue
+        raise DataError(
+            f"{place}:{number}: UTF-8 here, another encoding elsewhere in the file; save it in one encoding"
+        )
+    try:
+        return data.decode("cp1252")
+    except UnicodeDecodeError as error:
+        line_number = data[: error.start].count(b"\n") + 1
+        raise DataError(f"{place}:{line_number}: neither UTF-8 nor Windows-1252 text") from error
