@@ -83,8 +83,9 @@ def press(
         stiffness = number[i, 9]
         limit = number[i, 8] * normal / stiffness
         held = min(max(spring, -limit), limit)
-        # Work of the slip, and the energy let go where a falling normal force shrinks what the spring can hold.
-        ledger[SPENT] += 0.5 * stiffness * (spring * spring - held * held)
+        # Slip, under the mean of the forces before and after: exact both for steady sliding and where a falling normal
+        # force makes a resting contact creep.
+        ledger[SPENT] += 0.5 * stiffness * (state[i, 0] + held) * (spring - held)
         friction = stiffness * held
         fx = -normal * nx - friction * tx
         fz = -normal * nz - friction * tz

@@ -19,7 +19,7 @@ from certkit.mechanics.laws.table import (
     Z,
 )
 
-LAW = Law("loading ram", ("ram",), ("station",), ("force", "travel"))
+LAW = Law("loading ram", ("ram",), ("station", "start"), ("force", "travel"))
 
 JOINT = 1e-9  # m: how near a joint the station counts as on it
 
@@ -49,9 +49,9 @@ def push(
         if ram < pose.shape[0] - 1:
             load[ram, 0] -= force
             ledger[POWER] += force * rate[ram, 0]
-            state[i, 1] = -pose[ram, X]
+            state[i, 1] = number[i, 1] - pose[ram, X]
             continue
-        state[i, 1] = 0.0
+        state[i, 1] = number[i, 1]
         for side in range(2):
             z = number[i, 0] + (JOINT if side == 0 else -JOINT)
             row = row_at(scene, z, 0)

@@ -65,7 +65,7 @@ def fit_loading_ram(site: Site, ram: LoadingRam) -> None:
     site.assembly.schedule = schedule(ram)
     centre = middle(site)
     if site.leg.segments[0].part != "knee":
-        site.assembly.add_row(LOADING, (GROUND,), {"station": centre})
+        site.assembly.add_row(LOADING, (GROUND,), {"station": centre, "start": 0.0})
         return
     face = site.face(centre + 0.01, centre - 0.01)
     body = site.assembly.add_body(
@@ -75,6 +75,6 @@ def fit_loading_ram(site: Site, ram: LoadingRam) -> None:
         site.assembly.add_row(
             NOSE, (body, block), {"radius": NOSE_RADIUS, "face": face, "stiffness": STIFFNESS, "damping": 0.0}
         )
-    site.assembly.add_row(LOADING, (body,), {"station": centre})
+    site.assembly.add_row(LOADING, (body,), {"station": centre, "start": face + NOSE_RADIUS})
     nose = disc(0.0, 0.0, NOSE_RADIUS)[6:19]  # its half towards the specimen
     site.figures[body] = ("loading ram", (*nose, (0.15, -NOSE_RADIUS), (0.15, NOSE_RADIUS)))
