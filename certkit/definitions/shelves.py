@@ -74,7 +74,7 @@ class FolderShelf:
         return sorted(found)
 
     def _places(self, kind: Kind) -> list[Path]:
-        return [self.folder / kind.folder, self.folder]
+        return [self.folder / kind.folder, self.folder] if kind.folder else []
 
     def _label(self, path: Path) -> str:
         inside = path.relative_to(self.folder).as_posix()
