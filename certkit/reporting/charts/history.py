@@ -1,0 +1,147 @@
+"""A channel over time with its corridor and its marked peak."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.reporting import palette
+from certkit.reporting.charts.frame import Frame
+from certkit.reporting.scales import span, thinned
+from certkit.reporting.svg import label, path, picture, tag
+from certkit.reporting.words import criterion_decimals, fixed, milliseconds
+
+if TYPE_CHECKING:
+    from certkit.grading.result import CriterionResult, Histories, Series
+
+
+def times(histories: Histories) -> list[float]:
+    """Return the shared time axis in milliseconds."""
+    return [(histories.start + index * histories.interval) * 1e3 for index in range(histories.count)]
+
+
+def peak_of(criterion: CriterionResult, series: Series, axis: list[float]) -> tuple[float, float] | None:
+    """Return where a criterion's value lies on its curve, (ms, value with the curve's sign)."""
+    if criterion.value is None or criterion.time is None or not axis:
+        return None
+    at = criterion.time * 1e3
+    nearest = min(range(len(axis)), key=lambda i: abs(axis[i] - at))
+    turned = criterion.measure == "max abs" and series.values[nearest] < 0
+    return at, -criterion.value if turned else criterion.value
+
+
+def limits_of(criterion: CriterionResult | None, peak: tuple[float, float] | None) -> list[float]:
+    """Return the scalar limits as drawn: mirrored where a largest magnitude was reached below zero."""
+    if criterion is None:
+        return []
+    limits = [v for v in (criterion.lower, criterion.upper) if v is not None]
+    turned = peak is not None and criterion.value is not None and peak[1] * criterion.value < 0
+    return sorted(-v for v in limits) if turned else limits
+
+
+def history_frame(
+    series: Series, axis: list[float], criterion: CriterionResult | None, *, width: float, height: float
+) -> tuple[Frame, tuple[float, float] | None, list[float]]:
+    """Return the plot's frame, the peak to mark and the limits to draw."""
+    peak = peak_of(criterion, series, axis) if criterion else None
+    limits = limits_of(criterion, peak)
+    band = criterion.band if criterion else None
+    edges = [y for line in (band.lower, band.upper) if line for _, y in line] if band else []
+    extra = [peak[1]] if peak else []
+    y = span([*series.values, *limits, *edges, *extra, 0.0], margin=0.07)
+    x = (axis[0], axis[-1]) if len(axis) > 1 else (0.0, 1.0)
+    return Frame.around(x, y, width=width, height=height), peak, limits
+
+
+def history_chart(
+    histories: Histories,
+    name: str,
+    criterion: CriterionResult | None = None,
+    *,
+    width: float = 360,
+    height: float = 200,
+) -> str:
+    """Draw one channel of `histories`; with a criterion also its corridor and peak."""
+    series = histories.series[name]
+    axis = times(histories)
+    frame, peak, limits = history_frame(series, axis, criterion, width=width, height=height)
+    shade = _band(frame, criterion, limits)
+    drawn = shade + frame.axes(f"{name}  {series.title}" if name != series.title else name, "ms", series.unit)
+    curve = thinned(list(zip(axis, series.values, strict=False)))
+    drawn += tag(
+        "path",
+        d=path(frame.place(x, y) for x, y in curve),
+        fill="none",
+        stroke=palette.PENS[0].colour,
+        stroke_width=1.6,
+        stroke_linejoin="round",
+        class_="curve p0",
+    )
+    if criterion and peak:
+        drawn += _peak(frame, criterion, peak)
+    words = f"{series.title} over time in {series.unit}"
+    if criterion and criterion.value is not None:
+        words += f"; value {fixed(criterion.value, criterion_decimals(criterion))} {criterion.unit}"
+        words += f" at {milliseconds(criterion.time)} ms" if criterion.time is not None else ""
+    return picture(width, height, drawn, words)
+
+
+def _band(frame: Frame, criterion: CriterionResult | None, limits: list[float]) -> str:
+    if criterion is None:
+        return ""
+    drawn = ""
+    if limits:
+        one_sided_up = criterion.lower is None
+        ends = (frame.y.low, limits[0]) if one_sided_up else (limits[0], frame.y.high)
+        low, high = ends if len(limits) == 1 else (limits[0], limits[1])
+        drawn += tag(
+            "rect",
+            x=frame.left,
+            y=frame.y(high),
+            width=frame.right - frame.left,
+            height=frame.y(low) - frame.y(high),
+            fill=palette.CORRIDOR,
+            class_="corridor",
+        )
+        drawn += "".join(
+            tag(
+                "line",
+                x1=frame.left,
+                x2=frame.right,
+                y1=frame.y(v),
+                y2=frame.y(v),
+                stroke=palette.CORRIDOR_EDGE,
+                stroke_dasharray="5 3",
+                class_="limit",
+            )
+            for v in limits
+        )
+    band = criterion.band
+    for line in (band.lower, band.upper) if band else ():
+        if line:
+            drawn += tag(
+                "path",
+                d=path(frame.place(t * 1e3, y) for t, y in line),
+                fill="none",
+                stroke=palette.CORRIDOR_EDGE,
+                stroke_dasharray="5 3",
+                class_="limit",
+            )
+    return drawn
+
+
+def _peak(frame: Frame, criterion: CriterionResult, peak: tuple[float, float]) -> str:
+    x, y = frame.place(*peak)
+    late = x > frame.left + 0.6 * (frame.right - frame.left)
+    words = f"{fixed(criterion.value, criterion_decimals(criterion))} at {milliseconds(criterion.time)} ms"
+    colour = palette.VERDICT[criterion.verdict]
+    css = "v-" + criterion.verdict.replace(" ", "-")
+    return tag(
+        "circle", cx=x, cy=y, r=3.6, fill=palette.PAPER, stroke=colour, stroke_width=2, class_=f"peak {css}"
+    ) + label(
+        x + (-9 if late else 9),
+        min(max(y - 5, frame.top + 8), frame.bottom - 4),
+        words,
+        text_anchor="end" if late else "start",
+        font_weight="600",
+        class_="mark",
+    )

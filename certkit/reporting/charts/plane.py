@@ -1,0 +1,56 @@
+"""A curve of one channel over another, with the polygon it has to stay in where there is one."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.reporting import palette
+from certkit.reporting.charts.frame import Frame
+from certkit.reporting.scales import span
+from certkit.reporting.svg import label, path, picture, tag
+
+if TYPE_CHECKING:
+    from certkit.grading.result import CurveInPlane
+
+
+def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: float = 240) -> str:
+    """Draw it."""
+    everything = [*curve.points, *(curve.polygon or [])]
+    x = span([0.0, *(p[0] for p in everything)], margin=0.05)
+    y = span([0.0, *(p[1] for p in everything)], margin=0.05)
+    frame = Frame.around(x, y, width=width, height=height)
+    drawn = ""
+    if curve.polygon:
+        drawn += tag(
+            "path",
+            d=path((frame.place(*p) for p in curve.polygon), closed=True),
+            fill=palette.CORRIDOR,
+            stroke=palette.CORRIDOR_EDGE,
+            stroke_dasharray="5 3",
+            class_="corridor limit",
+        )
+    drawn += frame.axes(title, f"{curve.x_title}, {curve.x_unit}", f"{curve.y_title}, {curve.y_unit}")
+    drawn += tag(
+        "path",
+        d=path(frame.place(*p) for p in curve.points),
+        fill="none",
+        stroke=palette.PENS[0].colour,
+        stroke_width=1.8,
+        stroke_linejoin="round",
+        class_="curve p0",
+    )
+    drawn += "".join(
+        tag("circle", cx=frame.x(a), cy=frame.y(b), r=1.9, fill=palette.PENS[0].colour, class_="dot p0")
+        for a, b in (curve.points if len(curve.points) <= 60 else [])
+    )
+    if not curve.polygon:
+        drawn += label(
+            frame.right - 4,
+            frame.bottom - 8,
+            "no corridor known: shown, not graded",
+            text_anchor="end",
+            fill=palette.MUTED,
+            class_="tick",
+        )
+    words = f"{curve.y_title} in {curve.y_unit} over {curve.x_title} in {curve.x_unit}"
+    return picture(width, height, drawn, words)

@@ -1,0 +1,71 @@
+"""The templates: where they are, and a sandbox in which data can be shown but not run."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from certkit.errors import UsageError
+from certkit.reporting import words
+from certkit.reporting.charts.position import position_bar
+
+if TYPE_CHECKING:
+    from jinja2.sandbox import SandboxedEnvironment
+
+_PACKAGE = Path(__file__).resolve().parent.parent
+
+
+@cache
+def folder() -> Path:
+    """Return the folder with templates, styles, scripts and fonts.
+
+    It travels inside the wheel and stands at the top of a checkout.
+
+    Raises
+    ------
+    UsageError
+        When the installation has lost it.
+    """
+    for place in (_PACKAGE / "shipped" / "templates", _PACKAGE.parent / "templates"):
+        if (place / "page.html.j2").is_file():
+            return place
+    raise UsageError("certkit's report templates are missing; install certkit again")
+
+
+def text(name: str) -> str:
+    """Return a file of the templates' folder."""
+    return (folder() / name).read_text(encoding="utf-8")
+
+
+@cache
+def _environment() -> SandboxedEnvironment:
+    from jinja2 import FileSystemLoader, StrictUndefined  # noqa: PLC0415  # 60 ms that other commands need not pay
+    from jinja2.sandbox import SandboxedEnvironment  # noqa: PLC0415  # likewise
+
+    environment = SandboxedEnvironment(
+        loader=FileSystemLoader(folder()),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters |= {
+        "plain": words.plain,
+        "fixed": words.fixed,
+        "shown": words.shown,
+        "milliseconds": words.milliseconds,
+        "slug_class": lambda verdict: "v-" + str(verdict).replace(" ", "-"),
+    }
+    environment.globals |= {
+        "corridor": words.corridor,
+        "signs": words.SIGNS,
+        "confidence_words": words.CONFIDENCE,
+        "bar": position_bar,
+    }
+    return environment
+
+
+def fill(name: str, **values: Any) -> str:  # noqa: ANN401  # templates take anything
+    """Fill a template; everything that is not one of our own drawings is escaped."""
+    return _environment().get_template(name).render(**values)

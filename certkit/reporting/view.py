@@ -1,0 +1,216 @@
+"""What the templates of the page and of the certificate show: the result's parts, worded and drawn once for both."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit.reporting import words
+from certkit.reporting.charts.errors import errors_chart
+from certkit.reporting.charts.frames import frames_chart
+from certkit.reporting.charts.history import history_chart, times
+from certkit.reporting.charts.lines import lines_chart
+from certkit.reporting.charts.plane import plane_chart
+from certkit.reporting.charts.position import position_bar
+from certkit.reporting.laboratory import LaboratoryView, laboratory_view
+from certkit.reporting.worst import margin_words, tally, worst
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from certkit.grading.result import CriterionResult, Result
+
+KINDS = {
+    "virtual certification": ("Virtual certification of the model", "simulated test"),
+    "test evaluation": ("Test evaluation", "measured test"),
+}
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of the criteria table, in words."""
+
+    id: str
+    title: str
+    value: str
+    unit: str
+    corridor: str
+    bar: str | None
+    margin: str
+    time: str
+    verdict: str
+    sign: str
+    graded: bool
+    confidence: str
+    source: str
+    how: str
+    remarks: list[str]
+    chart: str | None
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A figure with the key that links point to."""
+
+    key: str
+    name: str
+    svg: str
+    criterion: str | None = None
+
+
+@dataclass(frozen=True)
+class View:
+    """A result, ready for the templates."""
+
+    result: Result
+    key: str
+    heading: str
+    subject: str
+    meaning: str
+    tally: str
+    nearest: str
+    rows: list[Row]
+    histories: list[Drawing]
+    planes: list[Drawing]
+    frames: str | None
+    errors: str | None
+    energies: str | None
+    laboratory: LaboratoryView | None
+
+    @property
+    def confidences(self) -> list[tuple[str, int]]:
+        """Return how many numbers that went in have each confidence."""
+        counts = dict.fromkeys(words.CONFIDENCE, 0)
+        for parameter in self.result.parameters:
+            counts[parameter.confidence] += 1
+        return [(word, count) for word, count in counts.items() if count]
+
+
+def slug(text: str) -> str:
+    """Return `text` as part of an HTML id and of a file name."""
+    return re.sub(r"[^A-Za-z0-9]+", "-", text).strip("-") or "x"
+
+
+def _remarks(criterion: CriterionResult, decimals: int) -> list[str]:
+    remarks = [criterion.reason] if criterion.reason else []
+    unsure = criterion.uncertainty
+    if unsure:
+        parts = (
+            ("numerical", unsure.numerical),
+            ("expanded (k = 2)", unsure.expanded),
+            ("guard band", unsure.guard_band),
+        )
+        remarks += [f"{name} ±{words.plain(v, 2)} {criterion.unit}" for name, v in parts if v]
+        if unsure.false_accept is not None:
+            remarks.append(f"probability of a false accept {words.plain(unsure.false_accept * 100, 2)} %")
+    if criterion.spread:
+        low, high = (words.fixed(v, decimals) for v in (criterion.spread.minimum, criterion.spread.maximum))
+        remarks.append(f"{low} – {high} {criterion.unit} over {criterion.spread.members} certified legs")
+    return remarks
+
+
+def _row(criterion: CriterionResult, key: str, drawn: set[str]) -> Row:
+    decimals = words.criterion_decimals(criterion)
+    target = _target(criterion)
+    how = " · ".join(part for part in (criterion.measure, criterion.filter) if part and part != "none")
+    return Row(
+        id=criterion.id,
+        title=criterion.title,
+        value=words.fixed(criterion.value, decimals),
+        unit=criterion.unit if criterion.value is not None else "",
+        corridor=_corridor(criterion),
+        bar=position_bar(criterion, decimals),
+        margin=words.fixed(criterion.margin, decimals),
+        time=words.milliseconds(criterion.time),
+        verdict=criterion.verdict if criterion.graded else "informative",
+        sign=words.SIGNS[criterion.verdict] if criterion.graded else "·",
+        graded=criterion.graded,
+        confidence=criterion.confidence or "",
+        source=criterion.source,
+        how=how,
+        remarks=_remarks(criterion, decimals),
+        chart=f"{key}-chart-{slug(target)}" if target in drawn else None,
+    )
+
+
+def _corridor(criterion: CriterionResult) -> str:
+    if criterion.lower is None and criterion.upper is None:
+        if criterion.curve and criterion.curve.polygon:
+            return "polygon"
+        return "over time" if criterion.band else words.MISSING
+    return words.corridor(criterion.lower, criterion.upper)
+
+
+def _target(criterion: CriterionResult) -> str:
+    return f"plane {criterion.id}" if criterion.curve else criterion.channel
+
+
+def ordered_channels(result: Result) -> dict[str, CriterionResult | None]:
+    """Return the channels to draw: those of criteria first, in the criteria's order, then the others."""
+    if result.curves is None:
+        return {}
+    series = result.curves.series
+    chosen: dict[str, CriterionResult | None] = {}
+    for criterion in result.criteria:
+        if criterion.channel in series and (criterion.channel not in chosen):
+            chosen[criterion.channel] = criterion
+    return chosen | {name: None for name in series if name not in chosen}
+
+
+def view(result: Result, *, suffix: str = "") -> View:
+    """Word and draw a result; `suffix` tells two results of one procedure apart."""
+    key = slug(result.procedure) + suffix
+    channels = ordered_channels(result)
+    curves = result.curves
+    drawable = curves is not None and curves.count > 1
+    histories = (
+        [
+            Drawing(
+                f"{key}-chart-{slug(name)}", name, history_chart(curves, name, c), c.id if c is not None else None
+            )
+            for name, c in channels.items()
+        ]
+        if curves is not None and drawable
+        else []
+    )
+    planes = [
+        Drawing(f"{key}-chart-{slug(_target(c))}", c.id, plane_chart(c.curve, c.title), c.id)
+        for c in result.criteria
+        if c.curve
+    ]
+    targets = {_target(c) for c in result.criteria if c.curve} | (set(channels) if drawable else set())
+    nearest = worst(result)
+    heading, subject = KINDS[result.kind]
+    energies = result.energies
+    return View(
+        result=result,
+        key=key,
+        heading=heading,
+        subject=subject,
+        meaning=words.meaning(result.verdict),
+        tally=tally(result),
+        nearest=margin_words(nearest),
+        rows=[_row(criterion, key, targets) for criterion in result.criteria],
+        histories=histories,
+        planes=planes,
+        frames=frames_chart(result.motion) if result.motion and result.motion.poses else None,
+        errors=errors_chart(result.comparison) if result.comparison and result.comparison.rows else None,
+        energies=lines_chart(
+            [(s.title, times(energies), s.values) for s in energies.series.values()], "Energy", "ms", "J"
+        )
+        if energies and energies.count > 1
+        else None,
+        laboratory=laboratory_view(result.laboratory),
+    )
+
+
+def unique_views(results: Sequence[Result]) -> list[View]:
+    """Return views whose keys differ, also when a procedure was run twice."""
+    counts: dict[str, int] = {}
+    views = []
+    for result in results:
+        counts[result.procedure] = counts.get(result.procedure, 0) + 1
+        number = counts[result.procedure]
+        views.append(view(result, suffix=f"-{number}" if number > 1 else ""))
+    return views

@@ -1,0 +1,165 @@
+// The moving picture: shapes on recorded poses, coloured by bending moment, with gauges that follow.
+const ANCHORS = [[8, 69, 148], [107, 163, 209], [232, 230, 224], [240, 155, 84], [166, 47, 14]];
+const ORDER = ["vehicle", "ram", "rig", "flesh", "mass", "knee", "bone"];
+const SECONDS = 8; // the whole test at speed 1
+
+function diverging(fraction) {
+  const place = (Math.min(1, Math.max(-1, fraction)) + 1) * 2;
+  const index = Math.min(Math.floor(place), 3);
+  const part = place - index;
+  return `rgb(${ANCHORS[index].map((a, i) => Math.round(a + (ANCHORS[index + 1][i] - a) * part)).join(" ")})`;
+}
+
+function unpacked(motion) {
+  const frames = [];
+  let row = null;
+  for (const steps of motion.poses) {
+    row = row ? steps.map((v, i) => row[i] + v) : steps;
+    frames.push(row);
+  }
+  return frames;
+}
+
+function drawnShape(shape, fill, parent) {
+  const data = "M" + shape.outline.map(([a, b]) => `${a * 1000} ${-b * 1000}`).join("L") + (shape.closed ? "z" : "");
+  return element("path", {
+    class: `k-${shape.kind}`, d: data, fill: shape.closed ? fill : "none", "stroke-width": shape.closed ? 1.2 : 2.5, "stroke-linejoin": "round",
+  }, parent);
+}
+
+function setUpStage(stage, motion) {
+  const [left, right, low, high] = motion.box.map((v) => v * 1000);
+  const svg = element("svg", {
+    viewBox: `${left} ${-high} ${right - left} ${high - low}`, role: "img", "aria-label": "Legform and rig in motion",
+  }, stage);
+  for (const shape of motion.scene) drawnShape(shape, motion.fill[shape.kind], svg);
+  const sorted = motion.shapes.map((shape, index) => ({ shape, index }));
+  sorted.sort((a, b) => ORDER.indexOf(a.shape.kind) - ORDER.indexOf(b.shape.kind) || a.index - b.index);
+  return sorted.map(({ shape, index }) => ({
+    index, joint: motion.moments.length ? motion.joints.indexOf(shape.name) : -1, path: drawnShape(shape, motion.fill[shape.kind], svg),
+  }));
+}
+
+function setUpGauges(body, data) {
+  return data.channels.map((channel) => {
+    const row = body.insertRow();
+    const head = document.createElement("th");
+    head.scope = "row";
+    head.textContent = channel.name;
+    head.title = channel.title;
+    const value = row.appendChild(head) && row.insertCell();
+    value.className = "n";
+    value.dataset.gauge = channel.name;
+    const unit = row.insertCell();
+    unit.className = "unit";
+    unit.textContent = channel.unit;
+    const [low, high] = channel.range;
+    const share = (v) => `${Math.min(100, Math.max(0, ((v - low) / (high - low)) * 100))}%`;
+    const meter = row.insertCell().appendChild(document.createElement("div"));
+    meter.className = "meter";
+    if (channel.limits.length === 2) {
+      const corridor = meter.appendChild(document.createElement("i"));
+      corridor.style.left = share(channel.limits[0]);
+      corridor.style.right = `calc(100% - ${share(channel.limits[1])})`;
+    }
+    const needle = meter.appendChild(document.createElement("b"));
+    return (time) => {
+      const now = valueAt(channel, data.axis, time);
+      value.textContent = written(now, channel.decimals);
+      needle.style.left = share(now);
+    };
+  });
+}
+
+function setUpMotion(report, data, shared) {
+  const player = report.querySelector("[data-player]");
+  const motion = data.motion;
+  if (!player || !motion) return;
+  player.hidden = false;
+  report.querySelector("[data-stills]").hidden = true;
+  const frames = unpacked(motion);
+  const last = motion.times[motion.times.length - 1];
+  const first = motion.times[0];
+  const parts = setUpStage(player.querySelector("[data-stage]"), motion);
+  const gauges = data.axis ? setUpGauges(player.querySelector("[data-gauges]"), data) : [];
+  const clock = player.querySelector("[data-time]");
+  const scrub = player.querySelector("[data-scrub]");
+  const play = player.querySelector("[data-play]");
+  const speed = player.querySelector("[data-speed]");
+  scrub.min = first;
+  scrub.max = last;
+  scrub.step = Math.max((last - first) / 1000, 0.001);
+
+  function show() {
+    const time = Math.min(last, Math.max(first, shared.time));
+    let next = motion.times.findIndex((t) => t >= time);
+    if (next < 0) next = motion.times.length - 1;
+    const index = Math.max(0, next - 1);
+    const gap = motion.times[next] - motion.times[index];
+    const part = gap > 0 ? (time - motion.times[index]) / gap : 0;
+    const mix = (row, other, k) => row[k] * (1 - part) + other[k] * part;
+    for (const { index: body, joint, path } of parts) {
+      const [x, z, angle] = [0, 1, 2].map((k) => mix(frames[index], frames[next], 3 * body + k) * motion.unit);
+      path.setAttribute("transform", `translate(${(x * 1000).toFixed(2)} ${(-z * 1000).toFixed(2)}) rotate(${((-angle * 180) / Math.PI).toFixed(3)})`);
+      if (joint >= 0) path.setAttribute("fill", diverging(mix(motion.moments[index], motion.moments[next], joint) / motion.peak));
+    }
+    for (const gauge of gauges) gauge(shared.time);
+    clock.textContent = written(shared.time, 1);
+    scrub.value = shared.time;
+    scrub.setAttribute("aria-valuetext", `${written(shared.time, 1)} milliseconds`);
+  }
+
+  let running = 0;
+  let before = 0;
+  function tick(now) {
+    if (!running) return;
+    const rate = ((last - first) / (SECONDS * 1000)) * Number(speed.value);
+    const time = shared.time + (before ? (now - before) * rate : 0);
+    before = now;
+    if (time >= last) {
+      shared.goTo(last);
+      stop();
+      return;
+    }
+    shared.goTo(time);
+    running = requestAnimationFrame(tick);
+  }
+  function stop() {
+    cancelAnimationFrame(running);
+    running = 0;
+    play.textContent = "▶";
+    play.setAttribute("aria-label", "Play");
+  }
+  play.addEventListener("click", () => {
+    if (running) {
+      stop();
+      return;
+    }
+    if (shared.time >= last - 1e-9) shared.goTo(first);
+    before = 0;
+    play.textContent = "❚❚";
+    play.setAttribute("aria-label", "Pause");
+    running = requestAnimationFrame(tick);
+  });
+  scrub.addEventListener("input", () => {
+    stop();
+    shared.goTo(Number(scrub.value));
+  });
+  for (const button of player.querySelectorAll("[data-step]")) {
+    button.addEventListener("click", () => {
+      stop();
+      const forward = Number(button.dataset.step) > 0;
+      const later = motion.times.find((t) => t > shared.time + 1e-6);
+      const earlier = motion.times.filter((t) => t < shared.time - 1e-6).pop();
+      shared.goTo((forward ? later : earlier) ?? (forward ? last : first));
+    });
+  }
+  const told = player.querySelector("[data-slow]");
+  const tell = () => {
+    const times = (SECONDS * 1000) / (last - first) / Number(speed.value);
+    told.textContent = times > 1.5 ? `${Math.round(times)} times slower than real` : "";
+  };
+  speed.addEventListener("change", tell);
+  tell();
+  shared.onTime.push(show);
+}

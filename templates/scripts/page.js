@@ -1,0 +1,76 @@
+// Wires a report: one time, one time window, and the links from criteria to their curves.
+function setUpShared(data) {
+  const ends = data.axis
+    ? [data.axis.start, data.axis.start + (data.axis.count - 1) * data.axis.step]
+    : data.motion ? [data.motion.times[0], data.motion.times[data.motion.times.length - 1]] : [0, 1];
+  const shared = {
+    time: Math.max(ends[0], 0), from: ends[0], to: ends[1], onTime: [], onWindow: [],
+    goTo(time) {
+      shared.time = Math.min(ends[1], Math.max(ends[0], time));
+      for (const act of shared.onTime) act();
+    },
+    window(from, to) {
+      const least = (ends[1] - ends[0]) / 500;
+      const size = Math.min(ends[1] - ends[0], Math.max(to - from, least));
+      shared.from = Math.min(Math.max(from, ends[0]), ends[1] - size);
+      shared.to = shared.from + size;
+      for (const act of shared.onWindow) act();
+    },
+    zoom(factor) {
+      const half = ((shared.to - shared.from) * factor) / 2;
+      const centre = shared.time >= shared.from && shared.time <= shared.to ? shared.time : (shared.from + shared.to) / 2;
+      shared.window(centre - half, centre + half);
+    },
+    whole() {
+      shared.window(ends[0], ends[1]);
+    },
+  };
+  return shared;
+}
+
+function setUpLinks(report, data, shared) {
+  for (const link of report.querySelectorAll("a.jump")) {
+    link.addEventListener("click", (event) => {
+      const figure = document.getElementById(link.dataset.chart);
+      if (!figure) return;
+      event.preventDefault();
+      for (const other of report.querySelectorAll(".chart.selected")) other.classList.remove("selected");
+      figure.classList.add("selected");
+      const channel = data.channels.find((c) => c.name === figure.dataset.channel);
+      if (channel && channel.peak) {
+        if (channel.peak[0] < shared.from || channel.peak[0] > shared.to) shared.whole();
+        shared.goTo(channel.peak[0]);
+      }
+      figure.focus({ preventScroll: true });
+      figure.scrollIntoView({ block: "center" });
+    });
+  }
+}
+
+for (const report of document.querySelectorAll("[data-report]")) {
+  const source = report.querySelector("script[data-result]");
+  if (!source) continue;
+  const data = JSON.parse(source.textContent);
+  const shared = setUpShared(data);
+  setUpCurves(report, data, shared);
+  setUpMotion(report, data, shared);
+  setUpLinks(report, data, shared);
+  shared.whole();
+  shared.goTo(shared.time);
+}
+
+const toggle = document.querySelector("[data-theme-toggle]");
+toggle.hidden = false;
+const dark = () => {
+  const chosen = document.documentElement.dataset.theme;
+  return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+};
+const label = () => {
+  toggle.textContent = dark() ? "Light" : "Dark";
+  toggle.setAttribute("aria-label", dark() ? "Switch to light colours" : "Switch to dark colours");
+};
+toggle.addEventListener("click", () => {
+  document.documentElement.dataset.theme = dark() ? "light" : "dark";
+  label();
+});
+label();
