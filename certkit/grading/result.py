@@ -1,17 +1,24 @@
 """`Result`: the one document that everything after grading is rendered from (schema `certkit-result/1`).
 
-It holds no objects, only words, numbers and lists, so that a report can be rendered again from the JSON alone. Values stand in the
-unit named beside them, times in seconds. Fields may be added; none changes its meaning.
+It holds no objects, only words, numbers and lists, so that a report can be rendered again from the JSON
+alone. Values stand in the unit named beside them, times in seconds. Fields may be added; none changes its
+meaning.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, PlainSerializer
 
 from certkit.definitions.origin import Confidence
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
 
 SCHEMA = "certkit-result/1"
 
@@ -28,15 +35,35 @@ def rounded(value: float) -> float:
     return round(value, SIGNIFICANT_DIGITS - 1 - math.floor(math.log10(abs(value))))
 
 
+def rounded_all(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
+    """Round many values as `rounded` does; 20 times quicker from a few dozen on."""
+    import numpy as np  # noqa: PLC0415  # words and numbers are read without it
+
+    given = np.asarray(values, dtype=np.float64)
+    # A whole number divided by a power of ten up to 1e22 is the nearest double to the decimal, so it prints short.
+    size = np.abs(given)
+    plain = (size < 1e-15) | (size > 1e15) | ~np.isfinite(size)
+    exponent = SIGNIFICANT_DIGITS - 1 - np.floor(np.log10(np.where(plain, 1.0, size)))
+    # Powers from a table: a vectorised `**` may be an ulp off, and then the quotient prints long.
+    powers = np.array([float(f"1e{k}") for k in range(23)])
+    up, down = (powers[np.maximum(e, 0).astype(np.intp)] for e in (exponent, -exponent))
+    listed: list[float] = np.where(plain, given, np.rint(given * up / down) * down / up).tolist()
+    for index in np.flatnonzero(plain & (size > 0)):
+        listed[int(index)] = rounded(listed[int(index)])
+    return listed
+
+
 Figure = Annotated[float, PlainSerializer(rounded, when_used="json")]
-Figures = Annotated[list[float], PlainSerializer(lambda v: [rounded(x) for x in v], when_used="json")]
+Figures = Annotated[list[float], PlainSerializer(rounded_all, return_type=list[float], when_used="json")]
 Point = tuple[Figure, Figure]
 
 
 class Part(BaseModel):
     """Base of all parts of the document: no unknown fields, never changed after it is made."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, populate_by_name=True, serialize_by_alias=True)
+    model_config = ConfigDict(
+        extra="forbid", frozen=True, populate_by_name=True, serialize_by_alias=True, allow_inf_nan=False
+    )
 
 
 class Spread(Part):
@@ -116,6 +143,7 @@ class PreconditionResult(Part):
     upper: Figure | None = None
     verdict: Verdict
     reason: str = ""
+    required: Annotated[bool, Field(description="False: a missing value does not matter.")] = True
 
 
 class ScoreResult(Part):
@@ -271,6 +299,9 @@ class Result(Part):
     decision_rule: str = "simple acceptance"
     criteria: list[CriterionResult]
     preconditions: list[PreconditionResult] = []
+    conditions: Annotated[
+        dict[str, Figure], Field(description="Conditions the test was done under, SI, by their words.")
+    ] = {}
     scores: list[ScoreResult] = []
     comparison: Comparison | None = None
     quality: Quality | None = None

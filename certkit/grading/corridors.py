@@ -1,0 +1,128 @@
+"""From the name of a corridor in a procedure to numbers in SI units, with their origin."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.definitions.corridor import Band, Polygon, Window
+from certkit.definitions.vocabulary import TIME, Dimension
+from certkit.errors import UsageError
+from certkit.grading.measure import channel_name, quantity
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from numpy.typing import NDArray
+
+    from certkit.definitions.corridor import CorridorSet
+    from certkit.definitions.origin import Confidence
+    from certkit.definitions.procedure import Criterion
+    from certkit.grading.measure import Trace
+
+KIND_OF_MEASURE = {"curve in polygon": Polygon, "curve in band": Band}
+_WORDS = {Window: "window", Polygon: "polygon", Band: "band"}
+
+
+@dataclass(frozen=True)
+class Corridor:
+    """A corridor as the definitions hold it.
+
+    Parameters
+    ----------
+    name : str
+        `set/entry`.
+    entry : Window, Polygon or Band
+    source, confidence : str
+        Its origin.
+    """
+
+    name: str
+    entry: Window | Polygon | Band
+    source: str
+    confidence: Confidence
+
+
+@dataclass(frozen=True)
+class Missing:
+    """No corridor to hold a criterion against: why, and whether the criterion is required all the same."""
+
+    reason: str
+    required: bool
+
+
+def find_corridor(criterion: Criterion, corridors: Mapping[str, CorridorSet]) -> Corridor | Missing:
+    """Look a criterion's corridor up.
+
+    A criterion without a corridor, or whose set awaits it, is informative. One whose set or entry is
+    missing is required and cannot be evaluated: a missing corridor never passes.
+
+    Raises
+    ------
+    UsageError
+        When the corridor is of another kind than the measure needs.
+    """
+    if criterion.corridor is None:
+        return Missing("no corridor is known", required=False)
+    name, _, entry_name = criterion.corridor.partition("/")
+    found = corridors.get(name)
+    if found is None:
+        return Missing(f"the corridor set `{name}` was not found", required=True)
+    if entry_name in found.awaited:
+        return Missing(found.awaited[entry_name], required=False)
+    try:
+        entry = found.entry(entry_name)
+    except KeyError:
+        return Missing(f"the corridor set `{name}` has no `{entry_name}`", required=True)
+    if entry is None:
+        return Missing("no corridor is known", required=False)
+    wanted = KIND_OF_MEASURE.get(criterion.measure, Window)
+    if not isinstance(entry, wanted):
+        raise UsageError(
+            f"criterion {criterion.id}: `{criterion.measure}` needs a {_WORDS[wanted]}, "
+            f"but {criterion.corridor} is a {_WORDS[type(entry)]}"
+        )
+    return Corridor(criterion.corridor, entry, entry.source or "", entry.confidence or "estimated")
+
+
+def limits(corridor: Corridor, window: Window, dimension: Dimension) -> tuple[float | None, float | None]:
+    """Return lower and upper limit, SI; None where there is none."""
+    where = f"corridor {corridor.name}"
+    return (
+        None if window.lower is None else quantity(window.lower, dimension, where),
+        None if window.upper is None else quantity(window.upper, dimension, where),
+    )
+
+
+def polygon_corners(
+    corridor: Corridor, polygon: Polygon, criterion: Criterion, trace: Trace
+) -> NDArray[np.float64]:
+    """Return the polygon's corners in the plane of the criterion's curve, SI, shape (k, 2)."""
+    curve = criterion.curve
+    drawn = None if curve is None else (channel_name(curve.x), channel_name(curve.y))
+    if drawn != (channel_name(polygon.x), channel_name(polygon.y)):
+        raise UsageError(
+            f"corridor {corridor.name}: is a polygon of {polygon.y} over {polygon.x}, "
+            f"which is not the plane of criterion {criterion.id}"
+        )
+    return _line(corridor, polygon.points, trace.x_dimension, trace.y_dimension)
+
+
+def band_lines(
+    corridor: Corridor, band: Band, dimension: Dimension
+) -> tuple[NDArray[np.float64] | None, NDArray[np.float64] | None]:
+    """Return the lower and upper polyline of (time, value), SI, each of shape (k, 2) or None."""
+    lower, upper = (
+        None if points is None else _line(corridor, points, TIME, dimension)
+        for points in (band.lower, band.upper)
+    )
+    return lower, upper
+
+
+def _line(
+    corridor: Corridor, points: Sequence[tuple[str, str]], x: Dimension, y: Dimension
+) -> NDArray[np.float64]:
+    where = f"corridor {corridor.name}"
+    return np.array([(quantity(px, x, where), quantity(py, y, where)) for px, py in points], dtype=np.float64)

@@ -1,0 +1,244 @@
+"""One criterion: what was measured, held against its corridor under a decision rule."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.definitions.corridor import Band as BandCorridor
+from certkit.definitions.corridor import Polygon, Window
+from certkit.grading.corridors import Corridor, band_lines, find_corridor, limits, polygon_corners
+from certkit.grading.curves import MOST_POINTS, plane_points
+from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule, decide
+from certkit.grading.measure import Measured, channel_name
+from certkit.grading.plane import band_distance, polygon_distance, refined
+from certkit.grading.result import Band, CriterionResult, CurveInPlane, Uncertainty
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    from certkit.definitions.corridor import CorridorSet
+    from certkit.definitions.procedure import Criterion
+    from certkit.definitions.vocabulary import Dimension
+    from certkit.grading.measure import Trace
+
+START_OF_CURVE = 0.1
+"""Share of a curve's largest ordinate below which it does not count for the margin: corridors begin narrow."""
+COVERED = 0.8
+"""Share of a polygon's width or height that a curve has to run through to have been held against it."""
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What criteria are judged with.
+
+    Parameters
+    ----------
+    corridors : mapping of str to CorridorSet
+    rule : DecisionRule
+    expanded : mapping of str to float
+        Expanded uncertainty U (k = 2) by channel, SI.
+    numerical : mapping of str to float
+        Numerical uncertainty by criterion id, in the criterion's unit.
+    """
+
+    corridors: Mapping[str, CorridorSet]
+    rule: DecisionRule = SIMPLE_ACCEPTANCE
+    expanded: Mapping[str, float] = field(default_factory=dict)
+    numerical: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class _Held:
+    """A value with its limits, SI, and the pictures that belong to it."""
+
+    value: float | None
+    time: float | None
+    lower: float | None = None
+    upper: float | None = None
+    reason: str = ""
+    pictures: Mapping[str, Any] = field(default_factory=dict)
+
+
+def grade_criterion(criterion: Criterion, measured: Measured, judgement: Judgement) -> CriterionResult:
+    """Grade one criterion.
+
+    Parameters
+    ----------
+    criterion : Criterion
+    measured : Measured
+        From `certkit.grading.measure.measure`.
+    judgement : Judgement
+
+    Returns
+    -------
+    CriterionResult
+
+    Raises
+    ------
+    UsageError
+        When criterion and corridor do not fit together (kinds, channels, units).
+    """
+    corridor = find_corridor(criterion, judgement.corridors)
+    known = isinstance(corridor, Corridor)
+    channel = channel_name(criterion.curve.y if criterion.curve is not None else criterion.channel or "")
+    common: dict[str, Any] = {
+        "id": criterion.id,
+        "title": criterion.title,
+        "graded": corridor.required if not known else True,
+        "confidence": corridor.confidence if known else None,
+        "source": corridor.source if known else "",
+        "corridor": criterion.corridor or "",
+        "channel": channel,
+        "measure": criterion.measure,
+        "filter": criterion.filter,
+    }
+    dimension = measured.dimension
+    if dimension is None or (measured.value is None and measured.trace is None):
+        unit = "" if dimension is None else dimension.unit
+        return CriterionResult(
+            value=None, unit=unit, verdict="not evaluated", reason=measured.reason, **common
+        )
+    held = _hold(criterion, measured, dimension, corridor if known else None)
+    scale = dimension.scale
+    uncertainty = Uncertainty(
+        numerical=judgement.numerical.get(criterion.id),
+        expanded=_scaled(judgement.expanded.get(channel), scale),
+    )
+    shown: dict[str, Any] = {
+        "value": _scaled(held.value, scale),
+        "unit": dimension.unit,
+        "time": held.time,
+        **held.pictures,
+        **common,
+    }
+    if not known or held.value is None:
+        reason = held.reason or ("" if known else corridor.reason)
+        given = uncertainty if uncertainty != Uncertainty() else None
+        return CriterionResult(verdict="not evaluated", reason=reason, uncertainty=given, **shown)
+    decision = decide(judgement.rule, held.value, held.lower, held.upper, judgement.expanded.get(channel))
+    verdict, reason = decision.verdict, decision.reason
+    margin = _scaled(decision.margin, scale)
+    if (
+        verdict == "pass"
+        and uncertainty.numerical is not None
+        and margin is not None
+        and margin < uncertainty.numerical
+    ):
+        verdict = "conditional"
+        reason = f"nearer to its limit than its numerical uncertainty of {uncertainty.numerical:.2g} {dimension.unit}"
+    uncertainty = uncertainty.model_copy(
+        update={"guard_band": _scaled(decision.guard_band, scale), "false_accept": decision.false_accept}
+    )
+    return CriterionResult(
+        verdict=verdict,
+        reason=reason,
+        lower=_scaled(held.lower, scale),
+        upper=_scaled(held.upper, scale),
+        margin=margin,
+        uncertainty=uncertainty if uncertainty != Uncertainty() else None,
+        **shown,
+    )
+
+
+def _scaled(value: float | None, scale: float) -> float | None:
+    return None if value is None else value * scale
+
+
+def _hold(criterion: Criterion, measured: Measured, dimension: Dimension, corridor: Corridor | None) -> _Held:
+    """Bring value and limits together; for whole curves the value is the distance to the border and the limit 0."""
+    entry = None if corridor is None else corridor.entry
+    trace = measured.trace
+    if trace is None:
+        if corridor is None or not isinstance(entry, Window):
+            return _Held(measured.value, measured.time)
+        return _Held(measured.value, measured.time, *limits(corridor, entry, dimension))
+    if corridor is None or isinstance(entry, Window) or entry is None:
+        return _shown_only(trace, criterion.measure)
+    if isinstance(entry, Polygon):
+        return _inside_polygon(trace, polygon_corners(corridor, entry, criterion, trace))
+    return _inside_band(trace, corridor, entry)
+
+
+def _shown_only(trace: Trace, how: str) -> _Held:
+    """Give the largest ordinate of a curve that nothing is held against."""
+    index = int(np.argmax(np.abs(trace.y)))
+    pictures = {"curve": _plane(trace, None)} if how == "curve in polygon" else {}
+    return _Held(float(trace.y[index]), float(trace.time[index]), pictures=pictures)
+
+
+def _inside_polygon(trace: Trace, corners: NDArray[np.float64]) -> _Held:
+    """Hold a curve against a polygon."""
+    pictures = {"curve": _plane(trace, corners)}
+    size = np.ptp(corners, axis=0)
+    low = corners.min(axis=0)
+    if trace.y.size < 2:
+        return _Held(None, None, reason="a single point is no curve", pictures=pictures)
+    x, y, index = refined(trace.x, trace.y)
+    covered = max(
+        (min(float(v.max()), float(begin + extent)) - max(float(v.min()), float(begin))) / float(extent)
+        for v, begin, extent in zip((x, y), low, size, strict=True)
+    )
+    distance = polygon_distance(x, y, corners)
+    counted = np.abs(y) >= START_OF_CURVE * np.abs(y).max()
+    if (distance < 0).any():
+        counted = np.ones_like(counted)
+    elif covered < COVERED:
+        reason = (
+            f"the curve runs through {max(0.0, covered):.0%} of the corridor only; {COVERED:.0%} is needed"
+        )
+        return _Held(None, None, reason=reason, pictures=pictures)
+    at = int(np.flatnonzero(counted)[np.argmin(distance[counted])])
+    time = float(np.interp(index[at], np.arange(trace.time.size), trace.time))
+    return _Held(float(distance[at]), time, lower=0.0, pictures=pictures)
+
+
+def _inside_band(trace: Trace, corridor: Corridor, band: BandCorridor) -> _Held:
+    """Hold a channel against a corridor over time."""
+    lower, upper = band_lines(corridor, band, trace.y_dimension)
+    pictures = {
+        "band": Band(**{side: _points(line, trace.y_dimension) for side, line in _sides(lower, upper)})
+    }
+    reach = [(line[0, 0], line[-1, 0]) for _, line in _sides(lower, upper)]
+    begin, end = min(r[0] for r in reach), max(r[1] for r in reach)
+    step = float(trace.time[-1] - trace.time[0]) / max(1, trace.time.size - 1)
+    if trace.time[0] > begin + step or trace.time[-1] < end - step:
+        reason = (
+            f"recorded from {trace.time[0] * 1e3:.4g} to {trace.time[-1] * 1e3:.4g} ms, "
+            f"the corridor reaches from {begin * 1e3:.4g} to {end * 1e3:.4g} ms"
+        )
+        return _Held(None, None, reason=reason, pictures=pictures)
+    distance = band_distance(trace.time, trace.y, lower, upper)
+    at = int(np.argmin(distance))
+    if not np.isfinite(distance[at]):
+        return _Held(None, None, reason="no sample lies under the corridor", pictures=pictures)
+    return _Held(float(distance[at]), float(trace.time[at]), lower=0.0, pictures=pictures)
+
+
+def _sides(
+    lower: NDArray[np.float64] | None, upper: NDArray[np.float64] | None
+) -> list[tuple[str, NDArray[np.float64]]]:
+    return [(side, line) for side, line in (("lower", lower), ("upper", upper)) if line is not None]
+
+
+def _points(line: NDArray[np.float64], dimension: Dimension) -> list[tuple[float, float]]:
+    return [(float(t), float(v) * dimension.scale) for t, v in line]
+
+
+def _plane(trace: Trace, corners: NDArray[np.float64] | None) -> CurveInPlane:
+    """Return the curve, and its polygon, in the units at the borders."""
+    x, y = trace.x_dimension, trace.y_dimension
+    polygon = None if corners is None else [(float(a) * x.scale, float(b) * y.scale) for a, b in corners]
+    return CurveInPlane(
+        x_title=trace.x_title,
+        x_unit=x.unit,
+        y_title=trace.y_title,
+        y_unit=y.unit,
+        points=plane_points(trace.x * x.scale, trace.y * y.scale, MOST_POINTS),
+        polygon=polygon,
+    )

@@ -1,0 +1,214 @@
+"""Measures: one number, and when it occurred, from the conditioned channels of a recording.
+
+What cannot be measured (a channel is missing, holds NaN, is too slow for its filter) comes back without a
+value and with the reason.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.definitions.quantities import parse_quantity
+from certkit.definitions.vocabulary import TIME, Dimension, channel_kind
+from certkit.errors import DataError, UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from certkit.definitions.procedure import Criterion
+    from certkit.signals import AssessmentInterval, Filtered
+
+# Dimensions of channels whose quantities are written in the units of a more general one.
+WRITTEN_AS = {"elongation": "length", "displacement": "length"}
+
+REACHED = 1e-9
+"""A level counts as reached this much (relative) below it: a relaxed load level is never met to the last bit."""
+
+
+@dataclass(frozen=True)
+class Trace:
+    """The samples that a criterion is measured on: abscissa and ordinate with their channels' titles and units.
+
+    Over time, `x` is the time and `x_dimension` is TIME.
+    """
+
+    time: NDArray[np.float64]
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    x_title: str
+    y_title: str
+    x_dimension: Dimension
+    y_dimension: Dimension
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What was measured.
+
+    Parameters
+    ----------
+    value, time : float or None
+        SI value and the time it occurred at, s; None when it could not be measured.
+    dimension : Dimension or None
+        Of the value; None when not even the channel is known.
+    reason : str
+        Why there is no value.
+    trace : Trace or None
+        The samples, for measures that hold a whole curve against a corridor.
+    """
+
+    value: float | None
+    time: float | None
+    dimension: Dimension | None
+    reason: str = ""
+    trace: Trace | None = None
+
+
+@dataclass(frozen=True)
+class Window:
+    """The part of the recording that counts, s; both ends belong to it."""
+
+    start: float
+    end: float
+
+
+def channel_name(words: str) -> str:
+    """Return the short name of a channel that a procedure names by short name or by words."""
+    kind = channel_kind(words)
+    return kind.name if kind is not None else words
+
+
+def quantity(text: str, dimension: Dimension, where: str) -> float:
+    """Read a quantity of a channel's dimension, SI.
+
+    Raises
+    ------
+    UsageError
+        When its unit is not one of the dimension; `where` says in which definition it stands.
+    """
+    try:
+        return parse_quantity(text, WRITTEN_AS.get(dimension.name, dimension.name))
+    except ValueError as error:
+        raise UsageError(f"{where}: {error}") from error
+
+
+def measure(
+    criterion: Criterion, filtered: Filtered, window: Window, interval: AssessmentInterval | None
+) -> Measured:
+    """Measure a criterion.
+
+    Parameters
+    ----------
+    criterion : Criterion
+    filtered : Filtered
+        The recording's channels through their filters.
+    window : Window
+        Seconds that are evaluated.
+    interval : AssessmentInterval or None
+        The assessment interval, where there is one.
+
+    Returns
+    -------
+    Measured
+
+    Raises
+    ------
+    UsageError
+        When the criterion itself makes no sense (`value at` without `at`, a unit that does not fit).
+    """
+    name = channel_name(_ordinate(criterion))
+    kind = channel_kind(name)
+    known = filtered.recording.channels.get(name)
+    dimension = known.dimension if known is not None else kind.dimension if kind is not None else None
+    if criterion.interval == "assessment interval":
+        if interval is None:
+            return Measured(
+                None, None, dimension, "no assessment interval: no bone moment has a maximum over 15 N·m"
+            )
+        window = Window(max(window.start, interval.start), min(window.end, interval.end))
+    try:
+        trace = _trace(criterion, filtered, window)
+    except DataError as error:
+        return Measured(None, None, dimension, str(error))
+    if criterion.measure in {"curve in polygon", "curve in band"}:
+        return Measured(None, None, trace.y_dimension, trace=trace)
+    if criterion.measure == "value at":
+        return _value_at(criterion, filtered, trace, window)
+    index = _EXTREMES[criterion.measure](trace.y)
+    value, time = float(trace.y[index]), float(trace.time[index])
+    if criterion.measure == "time of max":
+        return Measured(time, time, TIME)
+    return Measured(abs(value) if criterion.measure == "max abs" else value, time, trace.y_dimension)
+
+
+_EXTREMES: dict[str, Callable[[NDArray[np.float64]], int]] = {
+    "max": lambda y: int(np.argmax(y)),
+    "min": lambda y: int(np.argmin(y)),
+    "max abs": lambda y: int(np.argmax(np.abs(y))),
+    "time of max": lambda y: int(np.argmax(y)),
+}
+
+
+def _ordinate(criterion: Criterion) -> str:
+    """Return the channel that is measured."""
+    name = criterion.curve.y if criterion.curve is not None else criterion.channel
+    if name is None:
+        raise UsageError(f"criterion {criterion.id}: names neither a `channel` nor a `curve`; add one")
+    return name
+
+
+def _trace(criterion: Criterion, filtered: Filtered, window: Window) -> Trace:
+    """Cut the criterion's channels to the window.
+
+    Raises
+    ------
+    DataError
+        When a channel is missing or cannot be used, or no sample lies in the window.
+    """
+    time = filtered.recording.time
+    slack = 1e-9 + 1e-6 * abs(filtered.recording.interval) if time.size > 1 else 1e-9
+    inside = (time >= window.start - slack) & (time <= window.end + slack)
+    name = channel_name(_ordinate(criterion))
+    values = filtered.values(name, criterion.filter)
+    if not inside.any():
+        raise DataError(
+            f"nothing was recorded between {window.start * 1e3:.6g} and {window.end * 1e3:.6g} ms after contact"
+        )
+    y = filtered.recording[name]
+    if criterion.curve is None:
+        return Trace(time[inside], time[inside], values[inside], "time", y.title, TIME, y.dimension)
+    abscissa = channel_name(criterion.curve.x)
+    across = filtered.values(abscissa, criterion.filter)
+    x = filtered.recording[abscissa]
+    return Trace(time[inside], across[inside], values[inside], x.title, y.title, x.dimension, y.dimension)
+
+
+def _value_at(criterion: Criterion, filtered: Filtered, trace: Trace, window: Window) -> Measured:
+    """Read the channel where another one first reaches a value, by straight lines between samples."""
+    if criterion.at is None:
+        raise UsageError(f"criterion {criterion.id}: `value at` needs `at: {{channel: …, equals: …}}`")
+    name = channel_name(criterion.at.channel)
+    guide = criterion.model_copy(update={"channel": name, "curve": None})
+    try:
+        path = _trace(guide, filtered, window)
+    except DataError as error:
+        return Measured(None, None, trace.y_dimension, str(error))
+    level = quantity(criterion.at.equals, path.y_dimension, f"criterion {criterion.id}, `at`")
+    sign = -1.0 if level < 0 else 1.0
+    reached = np.flatnonzero(sign * path.y >= sign * level - REACHED * abs(level))
+    if not reached.size:
+        return Measured(None, None, trace.y_dimension, f"{name} never reaches {criterion.at.equals}")
+    index = int(reached[0])
+    share = 1.0
+    if index > 0:
+        before, after = float(path.y[index - 1]), float(path.y[index])
+        share = min(1.0, (level - before) / (after - before))
+    previous = max(index - 1, 0)
+    value = trace.y[previous] + share * (trace.y[index] - trace.y[previous])
+    time = trace.time[previous] + share * (trace.time[index] - trace.time[previous])
+    return Measured(float(value), float(time), trace.y_dimension)

@@ -1,0 +1,92 @@
+"""Preconditions: a test done outside them is not evaluated, whatever its channels say."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from certkit.definitions.quantities import UNITS, parse_quantity
+from certkit.errors import UsageError
+from certkit.grading.result import PreconditionResult
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from certkit.definitions.procedure import Precondition
+    from certkit.signals import Recording
+
+KELVIN = 273.15
+
+
+def grade_preconditions(
+    preconditions: Iterable[Precondition], recording: Recording
+) -> list[PreconditionResult]:
+    """Hold the conditions of a test against the procedure's preconditions, one row each.
+
+    A condition that was not recorded is `not evaluated`; where the precondition is required, so is the
+    whole test.
+
+    Raises
+    ------
+    UsageError
+        When a precondition's limits have units that do not fit its dimension.
+    """
+    return [
+        _grade(precondition, recording.conditions.get(precondition.quantity))
+        for precondition in preconditions
+        if precondition.applies_to in {"both", recording.kind}
+    ]
+
+
+def _grade(precondition: Precondition, value: float | None) -> PreconditionResult:
+    lower, upper = (_read(precondition, text) for text in precondition.within)
+    unit, factor, offset = _unit(precondition)
+    row = {
+        "quantity": precondition.quantity,
+        "unit": unit,
+        "lower": (lower - offset) / factor,
+        "upper": (upper - offset) / factor,
+    }
+    if value is None or not math.isfinite(value):
+        said = "was not recorded" if value is None else "is not a number"
+        needed = "" if precondition.required else "; it is not required"
+        return PreconditionResult(
+            value=None,
+            verdict="not evaluated",
+            reason=f"{precondition.quantity} {said}{needed}",
+            required=precondition.required,
+            **row,
+        )
+    # Limits written in degrees or km/h have rounding of their own; a value on the limit is inside.
+    slack = 1e-9 * max(abs(lower), abs(upper))
+    inside = lower - slack <= value <= upper + slack
+    shown = (value - offset) / factor
+    reason = (
+        ""
+        if inside
+        else f"{precondition.quantity} {shown:.4g} {unit} is outside {' to '.join(precondition.within)}"
+    )
+    return PreconditionResult(
+        value=shown,
+        verdict="pass" if inside else "fail",
+        reason=reason,
+        required=precondition.required,
+        **row,
+    )
+
+
+def _read(precondition: Precondition, text: str) -> float:
+    try:
+        return parse_quantity(text, precondition.dimension)
+    except (ValueError, KeyError) as error:
+        raise UsageError(f"precondition {precondition.quantity}: {error}") from error
+
+
+def _unit(precondition: Precondition) -> tuple[str, float, float]:
+    """Return the unit that the limits are written in, with its factor and offset to SI."""
+    text = precondition.within[1]
+    written = text.strip().lstrip("+-0123456789.eE ")
+    units = UNITS[precondition.dimension]
+    unit = written if written in units else next(iter(units))
+    offset = KELVIN if precondition.dimension == "temperature" and unit != "K" else 0.0
+    return unit, units[unit], offset

@@ -1,0 +1,110 @@
+"""Points of rating schemes: full points up to one value, none from another on, on a straight line between."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.definitions.quantities import parse_quantity
+from certkit.errors import UsageError
+from certkit.grading.result import ScoreResult
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from certkit.definitions.corridor import Score
+    from certkit.grading.result import CriterionResult
+
+
+def points(value: float, full: float, zero: float, maximum: float) -> float:
+    """Return the points of a value on a sliding scale.
+
+    Parameters
+    ----------
+    value : float
+        Smaller is better, unless `full` lies above `zero`.
+    full, zero : float
+        Full points below `full`, none from `zero` on; where they are equal there is nothing between.
+    maximum : float
+        Full points.
+    """
+    if full == zero:
+        return maximum if value < full else 0.0
+    return maximum * min(1.0, max(0.0, (zero - value) / (zero - full)))
+
+
+def grade_scores(
+    scores: Mapping[str, Score], criteria: Mapping[str, CriterionResult]
+) -> tuple[list[ScoreResult], list[str]]:
+    """Give points.
+
+    Parameters
+    ----------
+    scores : mapping of str to Score
+        By their names.
+    criteria : mapping of str to CriterionResult
+        By their ids.
+
+    Returns
+    -------
+    scores : list of ScoreResult
+    remarks : list of str
+        A sentence for each score that cannot be given because a criterion is missing: a missing value earns
+        nothing.
+    """
+    given: list[ScoreResult] = []
+    remarks: list[str] = []
+    for name, score in scores.items():
+        needed = [*score.criteria, *(score.forfeit.criteria if score.forfeit is not None else ())]
+        missing = [i for i in needed if i not in criteria or criteria[i].value is None]
+        if missing:
+            remarks.append(f"Score {name} is not given: {', '.join(dict.fromkeys(missing))} not measured.")
+        else:
+            given.append(_score(name, score, criteria))
+    return given, remarks
+
+
+def _score(name: str, score: Score, criteria: Mapping[str, CriterionResult]) -> ScoreResult:
+    rated = [
+        (points(value, full, zero, score.points), -value, criterion, full, zero)
+        for criterion, value, full, zero in (
+            (c, _value(c), _shown(score.full, c, name), _shown(score.zero, c, name))
+            for c in (criteria[i] for i in score.criteria)
+        )
+    ]
+    earned, _, decisive, full, zero = min(rated, key=lambda row: row[:2])
+    if score.forfeit is not None:
+        for i in score.forfeit.criteria:
+            if _value(criteria[i]) >= _shown(score.forfeit.at, criteria[i], name):
+                earned, decisive = 0.0, criteria[i]
+                full = zero = _shown(score.forfeit.at, criteria[i], name)
+                break
+    return ScoreResult(
+        id=name,
+        points=earned,
+        maximum=score.points,
+        criterion=decisive.id,
+        value=_value(decisive),
+        unit=decisive.unit,
+        full=full,
+        zero=zero,
+        confidence=score.confidence or "estimated",
+        source=score.source or "",
+    )
+
+
+def _value(criterion: CriterionResult) -> float:
+    if criterion.value is None:
+        raise UsageError(f"criterion {criterion.id} has no value to be scored")
+    return criterion.value
+
+
+def _shown(text: str, criterion: CriterionResult, name: str) -> float:
+    """Read a score's value and give it in the criterion's unit."""
+    for dimension in ("moment", "length", "force", "angle", "acceleration", "time", "speed", "energy"):
+        try:
+            return parse_quantity(text, dimension) / parse_quantity(f"1 {criterion.unit}", dimension)
+        except ValueError:
+            continue
+    raise UsageError(
+        f"score {name}: `{text}` cannot be given in {criterion.unit}, the unit of {criterion.id}"
+    )
