@@ -1,21 +1,26 @@
-"""From a trajectory to a `Recording`: gauges between joints, ligaments, knee, forces, and the curves of a bending test."""
+"""From a trajectory to channels: gauges between joints, ligaments, knee, forces, curves of a bending test."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.legform import Gauges
 from certkit.mechanics.laws import BENDING, CABLES, LOADING, SUPPORTS
-from certkit.mechanics.laws.table import Floats
-from certkit.mechanics.leg import Leg
-from certkit.mechanics.loop import Trajectory
 from certkit.mechanics.rigs.bending import middle
-from certkit.mechanics.rigs.site import Site
-from certkit.mechanics.world import World
 from certkit.signals import CHANNELS, Channel
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from certkit.definitions.legform import Gauges
+    from certkit.mechanics.laws.table import Floats
+    from certkit.mechanics.leg import Leg
+    from certkit.mechanics.loop import Trajectory
+    from certkit.mechanics.rigs.site import Site
+    from certkit.mechanics.world import World
 
 
 def stations(gauges: Gauges) -> dict[str, float]:
@@ -42,19 +47,17 @@ def probes(world: World, leg: Leg, site: Site) -> dict[str, int]:
 
 
 def moment_at(leg: Leg, readings: Mapping[str, Floats], height: float, part: str) -> Floats:
-    """Interpolate the bending moment of a bone at a height between its joints; it is zero at the bone's free end."""
-    joints = [joint for joint in leg.joints if joint.part == part]
-    heights = [joint.height for joint in joints]
-    values = [readings[f"joint {joint.row}"] for joint in joints]
-    ends = [s.top for s in leg.segments if s.part == part][:1], [s.bottom for s in leg.segments if s.part == part][-1:]
-    if all(abs(end - h) > 1e-9 for end in ends[0] for h in heights):
-        heights, values = [*ends[0], *heights], [np.zeros_like(values[0]), *values]
-    if all(abs(end - h) > 1e-9 for end in ends[1] for h in heights):
-        heights, values = [*heights, *ends[1]], [*values, np.zeros_like(values[0])]
-    for upper, lower, above, below in zip(heights, heights[1:], values, values[1:], strict=False):
+    """Interpolate a bone's bending moment at a height between its joints; it is zero at the free end."""
+    bone = [segment for segment in leg.segments if segment.part == part]
+    known = {joint.height: readings[f"joint {joint.row}"] for joint in leg.joints if joint.part == part}
+    for end in (bone[0].top, bone[-1].bottom):
+        if not any(math.isclose(end, h, abs_tol=1e-9) for h in known):
+            known[end] = np.zeros_like(next(iter(known.values())))
+    heights = sorted(known, reverse=True)
+    for upper, lower in pairwise(heights):
         if lower <= height <= upper:
             share = (height - lower) / (upper - lower)
-            return share * above + (1 - share) * below
+            return share * known[upper] + (1 - share) * known[lower]
     raise ValueError(f"height {height} m is not on the {part}")
 
 
@@ -83,7 +86,7 @@ def channels(site: Site, leg: Leg, run: Trajectory, readings: Mapping[str, Float
 
 
 def _shear(leg: Leg, run: Trajectory) -> Floats:
-    """Return how far the tibia block has moved along the impact against the femur block, in the tibia block's axes."""
+    """Return how far the tibia block has moved towards the obstacle against the femur block."""
     upper, lower = run.tracks[:, 0], run.tracks[:, 1]
     blocks = [segment for segment in leg.segments if segment.part == "knee"]
     knee = []
@@ -106,7 +109,8 @@ def _bending(site: Site, leg: Leg, readings: Mapping[str, Floats]) -> dict[str, 
         if math.isclose(joint.height, centre, abs_tol=1e-9):
             values["mid moment"] = readings[f"joint {joint.row}"]
         else:
-            # The load stands in the middle of a segment: from the joints at its ends to the peak between them.
+            # The load stands in the middle of a segment: from the joints at its ends to the peak between
+            # them.
             half = leg.segments[0].length / 2
             values["mid moment"] = moment_at(leg, readings, centre, joint.part) + force / 2 * half
     elif supports is not None:

@@ -1,8 +1,8 @@
 """The compiled time loop: read the bodies, evaluate all force laws, hand the forces to pymunk, step.
 
-`cpSpaceStep` moves bodies before it changes their speeds, so forces are evaluated where the bodies will be: that is the leapfrog scheme, second
-order and energy-keeping. Damping needs the speed at that same instant, which is extrapolated from the last two half steps.
-All arguments are flat arrays and plain numbers.
+`cpSpaceStep` moves bodies before it changes their speeds, so forces are evaluated where the bodies will be:
+that is the leapfrog scheme, second order and energy-keeping. Damping needs the speed at that same instant,
+which is extrapolated from the last two half steps. All arguments are flat arrays and plain numbers.
 """
 
 from __future__ import annotations
@@ -47,6 +47,7 @@ from certkit.mechanics.laws.table import (
     SPENT,
     STORED,
     Floats,
+    Heads,
     Integers,
     Scene,
     X,
@@ -54,7 +55,7 @@ from certkit.mechanics.laws.table import (
 )
 from certkit.mechanics.native import call_each, call_impulse, call_step
 
-FASTEST = 1e3  # m/s or rad/s ·10: beyond it a run has run away
+FASTEST = 1e3  # m/s or rad/s: a body beyond it has run away
 
 FINISHED, RAN_AWAY = 0, 1
 
@@ -63,7 +64,7 @@ Table = tuple[Integers, Floats, Floats]
 
 @compiled
 def table(layout: Integers, law: int, index: Integers, number: Floats, state: Floats) -> Table:
-    """Cut one law's three tables out of the pools. A row of `layout`: rows, then offset and columns of each."""
+    """Cut a law's three tables out of the pools. A row of `layout`: rows, then offset and columns of each."""
     rows, i, ci, n, cn, s, cs = layout[law]
     return (
         index[i : i + rows * ci].reshape((rows, ci)),
@@ -73,13 +74,20 @@ def table(layout: Integers, law: int, index: Integers, number: Floats, state: Fl
 
 
 @compiled
-def weigh(mass: Floats, guided: Floats, drag: Floats, gravity: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:  # fmt: skip  # noqa: PLR0913, E501, PLR0917
+def weigh(  # compiled code takes flat arrays
+    mass: Floats,
+    drag: Floats,
+    gravity: Floats,
+    scene: Scene,
+    load: Floats,
+    ledger: Floats,
+) -> None:
     """Start each body's load with its weight and mass damping."""
     pose, rate = scene.pose, scene.rate
     for i in range(mass.shape[0]):
         m, damping = mass[i], mass[i] * drag[i]
         load[i, 0] = m * gravity[0] - damping * rate[i, 0]
-        load[i, 1] = 0.0 if guided[i] > 0.0 else m * gravity[1] - damping * rate[i, 1]
+        load[i, 1] = m * gravity[1] - damping * rate[i, 1]
         load[i, 2] = 0.0
         ledger[GRAVITY, STORED] -= m * (gravity[0] * pose[i, X] + gravity[1] * pose[i, Z])
         ledger[DRAG, POWER] += damping * (rate[i, 0] * rate[i, 0] + rate[i, 1] * rate[i, 1])
@@ -100,7 +108,15 @@ def act(tables: tuple[Table, ...], scene: Scene, load: Floats, ledger: Floats) -
 
 
 @compiled
-def predict(buffer: Floats, last: Floats, share: float, step: float, pose: Floats, rate: Floats, move: Floats) -> bool:  # fmt: skip  # noqa: PLR0913, E501, PLR0917
+def predict(  # compiled code takes flat arrays
+    buffer: Floats,
+    last: Floats,
+    share: float,
+    step: float,
+    pose: Floats,
+    rate: Floats,
+    move: Floats,
+) -> bool:
     """Carry the bodies in pymunk's `buffer` on by `step`; False when one of them has run away."""
     sane = True
     for i in range(pose.shape[0] - 1):
@@ -132,9 +148,33 @@ def widest_gap(pose: Floats, pivot: Integers, anchor: Floats) -> float:
     return widest
 
 
-def march(  # noqa: C901, PLR0912, PLR0913, PLR0914, PLR0915, PLR0917  # one loop, compiled as a whole
+@compiled
+def kinetic_energy(given: Floats, move: Floats, half: float, mass: Floats, inertia: Floats) -> float:
+    """Return the kinetic energy between two half steps: `move` before the instant, `given` after it."""
+    total = 0.0
+    for i in range(mass.shape[0]):
+        vx = move[i, 0] + half * (given[6 * i + 3] - move[i, 0])
+        vz = move[i, 1] + half * (given[6 * i + 4] - move[i, 1])
+        w = move[i, 2] + half * (given[6 * i + 5] - move[i, 2])
+        total += 0.5 * (mass[i] * (vx * vx + vz * vz) + inertia[i] * w * w)
+    return total
+
+
+@compiled
+def add_up(ledger: Floats, spent: Floats, book: Floats) -> tuple[float, float]:
+    """Write a sample's books, stored and spent by law; return contact force and deepest penetration."""
+    force = deepest = 0.0
+    for b in range(ledger.shape[0]):
+        book[b, 0] = ledger[b, STORED]
+        book[b, 1] = spent[b] + ledger[b, SPENT]
+        force += ledger[b, FORCE]
+        deepest = max(deepest, ledger[b, DEPTH])
+    return force, deepest
+
+
+def march(  # noqa: C901, PLR0912, PLR0913, PLR0915, PLR0917  # one loop, compiled as a whole
     entry: Integers,
-    counters: Any,  # noqa: ANN401  # int32 views of pymunk's buffer heads
+    counters: Heads,
     given: Floats,
     taken: Floats,
     mass: Floats,
@@ -170,19 +210,23 @@ def march(  # noqa: C901, PLR0912, PLR0913, PLR0914, PLR0915, PLR0917  # one loo
 ) -> tuple[int, int, int, int, int]:
     """March until the plan is fulfilled.
 
+    What the plan's arrays hold is said in `certkit.mechanics.loop` and `certkit.mechanics.world`.
+
     Parameters
     ----------
     entry : ndarray of int64, shape (9,)
         Addresses: step, each body, get, set, space, get data, set data, impulse, hinge constraint (0: none).
-    counters : ndarray of int32, shape (2,)
-        Not used as such: `counters[0]` and `counters[1]` are the fill counts of pymunk's get and set buffers.
+    counters : two ndarrays of int32, shape (2,)
+        Fill count and capacity of pymunk's get buffer and of its set buffer, seen in place.
     given, taken : ndarray
-        Memory of the get buffer (x, z, angle, velocities of each body) and of the set buffer (force and torque).
+        Memory of the get buffer (x, z, angle, velocities of each body) and of the set buffer (force and
+        torque).
     plan : ndarray of int64, shape (5,)
-        Most steps; steps a sample; steps a frame; law whose force marks first contact (-1: contact at once); steps after it.
+        Most steps; steps a sample; steps a frame; law whose force marks first contact (-1: contact at
+        once); steps after it.
     readings, tracks, accelerations, books, scalars, frames, worst : ndarray
-        Filled: probed state, tracked poses and accelerations, energies by book, (kinetic energy, hinge force, contact force), poses of all
-        bodies, (joint gap, penetration).
+        Filled: probed state, tracked poses and accelerations, energies by book, (kinetic energy, hinge
+        force, contact force), poses of all bodies, (joint gap, penetration).
 
     Returns
     -------
@@ -191,15 +235,15 @@ def march(  # noqa: C901, PLR0912, PLR0913, PLR0914, PLR0915, PLR0917  # one loo
     bodies = mass.shape[0]
     count_given, count_taken = counters
     tables = (
-        table(layout, 0, index, number, state),
-        table(layout, 1, index, number, state),
-        table(layout, 2, index, number, state),
-        table(layout, 3, index, number, state),
-        table(layout, 4, index, number, state),
-        table(layout, 5, index, number, state),
-        table(layout, 6, index, number, state),
-        table(layout, 7, index, number, state),
-        table(layout, 8, index, number, state),
+        table(layout, BENDING, index, number, state),
+        table(layout, CABLES, index, number, state),
+        table(layout, CONDYLES, index, number, state),
+        table(layout, FLESH, index, number, state),
+        table(layout, CUSHION, index, number, state),
+        table(layout, CRUSH, index, number, state),
+        table(layout, SUPPORTS, index, number, state),
+        table(layout, LOADING, index, number, state),
+        table(layout, NOSE, index, number, state),
     )
     most, stride, frame_stride, trigger, after = plan
     contact = 0 if trigger < 0 else -1
@@ -216,15 +260,8 @@ def march(  # noqa: C901, PLR0912, PLR0913, PLR0914, PLR0915, PLR0917  # one loo
         count_given[0] = 0
         call_each(entry[1], entry[4], entry[2], entry[5])
         if pending:
-            # Kinetic energy and acceleration at the sample's instant, between the half steps around it.
-            kinetic = 0.0
-            half = 0.5 if k > 1 else 0.0
-            for i in range(bodies):
-                vx = move[i, 0] + half * (given[6 * i + 3] - move[i, 0])
-                vz = move[i, 1] + half * (given[6 * i + 4] - move[i, 1])
-                w = move[i, 2] + half * (given[6 * i + 5] - move[i, 2])
-                kinetic += 0.5 * (mass[i] * (vx * vx + vz * vz) + inertia[i] * w * w)
-            scalars[samples, 0] = kinetic
+            # The last sample's instant lies between the half steps before and after it.
+            scalars[samples, 0] = kinetic_energy(given, move, 0.5 if k > 1 else 0.0, mass, inertia)
             for j in range(tracked.shape[0]):
                 i = tracked[j]
                 accelerations[samples, j, 0] = (given[6 * i + 3] - move[i, 0]) / length
@@ -239,21 +276,16 @@ def march(  # noqa: C901, PLR0912, PLR0913, PLR0914, PLR0915, PLR0917  # one loo
         share = 0.0 if k == 0 else (1.0 if k == 1 else 0.5)
         if not predict(given, last, share, length, pose, rate, move):
             return RAN_AWAY, k, samples, shots, contact
-        ledger[:, STORED] = 0.0
-        ledger[:, POWER] = 0.0
-        ledger[:, FORCE] = 0.0
-        ledger[:, DEPTH] = 0.0
+        for column in (STORED, POWER, FORCE, DEPTH):
+            ledger[:, column] = 0.0
         scene = Scene(pose, rate, move, outline_body, outline, k * step, length, schedule)
-        weigh(mass, guided, drag, gravity, scene, load, ledger)
+        weigh(mass, drag, gravity, scene, load, ledger)
         act(tables, scene, load, ledger)
         if k > 0:
-            for b in range(ledger.shape[0]):
-                spent[b] += 0.5 * step * (old_power[b] + ledger[b, POWER])
+            spent += 0.5 * step * (old_power + ledger[:, POWER])
         old_power[:] = ledger[:, POWER]
-        for i in range(bodies):
-            taken[3 * i] = load[i, 0]
-            taken[3 * i + 1] = 0.0 if guided[i] > 0.0 else load[i, 1]
-            taken[3 * i + 2] = load[i, 2]
+        load[:bodies, 1] *= 1.0 - guided
+        taken[: 3 * bodies] = load[:bodies].ravel()
         count_taken[0] = 0
         call_each(entry[1], entry[4], entry[3], entry[6])
         call_step(entry[0], entry[4], length)
@@ -265,29 +297,20 @@ def march(  # noqa: C901, PLR0912, PLR0913, PLR0914, PLR0915, PLR0917  # one loo
             for j in range(probe.shape[0]):
                 readings[samples, j] = state[probe[j]]
             for j in range(tracked.shape[0]):
-                for c in range(3):
-                    tracks[samples, j, c] = pose[tracked[j], c]
-            total = 0.0
-            deepest = 0.0
-            for b in range(ledger.shape[0]):
-                books[samples, b, 0] = ledger[b, STORED]
-                books[samples, b, 1] = spent[b] + ledger[b, SPENT]
-                total += ledger[b, FORCE]
-                deepest = max(deepest, ledger[b, DEPTH])
+                tracks[samples, j, :] = pose[tracked[j], :3]
+            force, deepest = add_up(ledger, spent, books[samples])
             scalars[samples, 1] = call_impulse(entry[7], entry[8]) / length if entry[8] != 0 else 0.0
-            scalars[samples, 2] = total
+            scalars[samples, 2] = force
             worst[0] = max(worst[0], widest_gap(pose, pivot, anchor))
             worst[1] = max(worst[1], deepest)
         if k % frame_stride == 0 and shots < frames.shape[0]:
-            for i in range(bodies):
-                for c in range(3):
-                    frames[shots, i, c] = pose[i, c]
+            frames[shots] = pose[:bodies, :3]
             shots += 1
         k += 1
 
 
 def _stamp(folder: Path) -> tuple[str, int]:
-    """Return what changes when any source of the loop does. numba itself looks at the cached function's own file alone."""
+    """Return what changes when any source of the loop does: numba looks at the cached function's own file."""
     digest = hashlib.sha256()
     sources = [folder / "kernel.py", folder / "native.py", *sorted(folder.glob("laws/*.py"))]
     for source in sources:
@@ -296,4 +319,4 @@ def _stamp(folder: Path) -> tuple[str, int]:
 
 
 compiled_march = cast("Any", njit(cache=True, error_model="numpy")(march))
-compiled_march._cache._cache_file._source_stamp = _stamp(Path(__file__).parent)  # noqa: SLF001  # numba offers no other way
+compiled_march._cache._cache_file._source_stamp = _stamp(Path(__file__).parent)  # noqa: SLF001  # no public way

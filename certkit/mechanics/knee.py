@@ -1,15 +1,18 @@
-"""The knee: condyles of the femur block in troughs of the tibia block, four preloaded ligaments, a parallel stiffness."""
+"""The knee: condyles in troughs, four preloaded ligaments, a parallel stiffness."""
 
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
-from certkit.definitions.legform import Knee, Legform
 from certkit.mechanics.laws import BENDING, CABLES, CONDYLES
-from certkit.mechanics.world import Assembly
+
+if TYPE_CHECKING:
+    from certkit.definitions.legform import Knee, Legform
+    from certkit.mechanics.world import Assembly
 
 TANGENTIAL = 0.5
-"""Tangential over normal contact stiffness: any stiff value serves, it only lets friction hold without sliding."""
+"""Tangential over normal contact stiffness: it only lets friction hold, so any stiff value serves."""
 
 
 def join_knee(
@@ -73,8 +76,8 @@ def join_knee(
 def resting_forces(knee: Knee) -> tuple[tuple[float, float], tuple[float, float]]:
     """Return normal and tangential forces of the two contacts that balance the ligaments' preloads.
 
-    Left contact (-x) first. Normal forces press the femur block up; tangential ones are those on the friction springs, which
-    share the ligaments' pull along x in proportion to the normal forces.
+    Left contact (-x) first. Normal forces press the femur block up; tangential ones are those on the
+    friction springs, which share the ligaments' pull along x in proportion to the normal forces.
     """
     pull_x = pull_z = moment = 0.0
     for ligament in knee.ligaments.values():
@@ -88,5 +91,6 @@ def resting_forces(knee: Knee) -> tuple[tuple[float, float], tuple[float, float]
     total, difference = -pull_z, -moment / knee.condyles.offset
     left, right = (total - difference) / 2, (total + difference) / 2
     share = pull_x / total if total > 0 else 0.0
-    # The contact's tangent is +x where its normal points down, and a positive spring pulls the femur block to -x.
+    # The contact's tangent is +x where its normal points down, and a positive spring pulls the femur block
+    # to -x.
     return (left, right), (share * left, share * right)

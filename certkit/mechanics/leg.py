@@ -1,16 +1,20 @@
-"""Builds a leg (or one of its parts) upright into an `Assembly`, knee centre at the origin, impact side towards +x."""
+"""Builds a leg, or one of its parts, upright: knee centre at the origin, impact side towards +x."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from certkit.definitions.legform import Bone, Legform
 from certkit.mechanics.knee import join_knee
 from certkit.mechanics.laws import BENDING, CABLES, FLESH
-from certkit.mechanics.segments import Segment
-from certkit.mechanics.world import Assembly
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from certkit.definitions.legform import Bone, Legform
+    from certkit.mechanics.segments import Segment
+    from certkit.mechanics.world import Assembly
 
 
 @dataclass(frozen=True)

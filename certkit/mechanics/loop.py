@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,7 +13,11 @@ from certkit.mechanics.kernel import RAN_AWAY, compiled_march
 from certkit.mechanics.laws import BOOKS
 from certkit.mechanics.laws.table import LEDGER, Floats
 from certkit.mechanics.space import ITERATIONS, build_space, open_gateway
-from certkit.mechanics.world import World
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from certkit.mechanics.world import World
 
 
 @dataclass(frozen=True)
@@ -86,7 +90,9 @@ class Trajectory:
     seconds: float
 
 
-def run_world(world: World, plan: Plan, probes: Sequence[int] = (), tracked: Sequence[int] = ()) -> Trajectory:
+def run_world(
+    world: World, plan: Plan, probes: Sequence[int] = (), tracked: Sequence[int] = ()
+) -> Trajectory:
     """March a world through its plan.
 
     Parameters
@@ -156,11 +162,13 @@ def run_world(world: World, plan: Plan, probes: Sequence[int] = (), tracked: Seq
     seconds = time.perf_counter() - started
     if status == RAN_AWAY:
         raise RunError(
-            f"the simulation ran away after {steps * plan.step * 1e3:.3f} ms: a spring, damper or contact is too stiff for "
-            f"a time step of {plan.step:g} s; try half of it, or look at the values changed last"
+            f"the simulation ran away after {steps * plan.step * 1e3:.3f} ms: a spring, damper or contact is "
+            f"too stiff for a time step of {plan.step:g} s; try half of it, or look at what was changed last"
         )
     if contact < 0:
-        raise RunError(f"nothing was touched within {plan.longest:g} s; check the release and the place of the obstacle")
+        raise RunError(
+            f"nothing was touched within {plan.longest:g} s; check the release and the place of the obstacle"
+        )
     return Trajectory(
         time=np.arange(filled) * (plan.step * plan.sample),
         contact=contact * plan.step,

@@ -1,17 +1,20 @@
-"""What the moving picture needs: outlines of everything that moves, their poses frame by frame, and what stands still."""
+"""What the moving picture needs: outlines, their poses frame by frame, and what stands still."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from certkit.mechanics.laws.table import Floats
-from certkit.mechanics.leg import Leg
-from certkit.mechanics.loop import Trajectory
 from certkit.mechanics.rigs.site import Outline, Site, box
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from certkit.mechanics.laws.table import Floats, Integers
+    from certkit.mechanics.leg import Leg
+    from certkit.mechanics.loop import Trajectory
 
 Kind = Literal["bone", "knee", "flesh", "rig", "ram", "vehicle", "mass"]
 
@@ -62,16 +65,13 @@ class Motion:
     scene: tuple[Figure, ...]
 
 
-def film(
-    site: Site, leg: Leg, run: Trajectory, readings: Mapping[str, Floats], frames_of_samples: Floats
-) -> Motion:
-    """Cut the frames of a run into a moving picture; `frames_of_samples` are the sample numbers of the frames."""
+def film(site: Site, leg: Leg, run: Trajectory, readings: Mapping[str, Floats], at: Integers) -> Motion:
+    """Cut the frames of a run into a moving picture; `at` are the sample numbers of the frames."""
     figures: list[Figure] = []
     bodies: list[int] = []
     names: list[str] = []
     counts: dict[str, int] = {}
     moments: list[Floats] = []
-    at = frames_of_samples.astype(int)
     for i, (segment, body) in enumerate(zip(leg.segments, leg.bodies, strict=True)):
         counts[segment.part] = counts.get(segment.part, 0) + 1
         half = segment.depth / 2

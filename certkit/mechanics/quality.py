@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from certkit.mechanics.laws import BOOKS
-from certkit.mechanics.laws.table import Floats
-from certkit.mechanics.loop import Trajectory
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from certkit.mechanics.laws.table import Floats
+    from certkit.mechanics.loop import Trajectory
 
 
 @dataclass(frozen=True)
@@ -19,7 +23,8 @@ class Quality:
     Parameters
     ----------
     energy_error_percent : float
-        Largest imbalance over the energy turned over: the most that was kinetic, stored, spent or brought in at once.
+        Largest imbalance over the energy turned over: the most that was kinetic, stored, spent or brought
+        in at once.
     joint_gap_mm : float
         Largest distance between the two halves of a pivot.
     penetration_mm : float

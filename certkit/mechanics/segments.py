@@ -1,15 +1,18 @@
-"""The rigid segments of a leg, with masses spread so that each part meets its regulated mass, centre of gravity and inertia."""
+"""The rigid segments of a leg; their masses meet each part's mass, centre of gravity and inertia."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from certkit.definitions.legform import Bone, Knee, Legform
 from certkit.errors import RunError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from certkit.definitions.legform import Bone, Knee, Legform
 
 Part = Literal["leg", "femur", "tibia", "knee"]
 PARTS: dict[Part, tuple[str, ...]] = {
@@ -67,8 +70,8 @@ def assembled(segments: Sequence[Segment]) -> tuple[float, float, float]:
 def bone_segments(part: str, bone: Bone, top: float) -> list[Segment]:
     """Cut a bone into equal segments, from the top.
 
-    A uniform bar of the bone's length and depth carries most of the mass; what its fittings add sits at both ends.
-    The three masses follow from the bone's mass, centre of gravity and inertia.
+    A uniform bar of the bone's length and depth carries most of the mass; what its fittings add sits at
+    both ends. The three masses follow from the bone's mass, centre of gravity and inertia.
 
     Raises
     ------
@@ -83,7 +86,8 @@ def bone_segments(part: str, bone: Bone, top: float) -> list[Segment]:
     if min(spread, upper, lower) < 0:
         raise RunError(
             f"no distribution of the {part}'s mass meets its centre of gravity and inertia "
-            f"(bar {spread:.3f} kg, ends {upper:.3f} and {lower:.3f} kg); check `mass`, `centre of gravity` and `inertia`"
+            f"(bar {spread:.3f} kg, ends {upper:.3f} and {lower:.3f} kg); "
+            "check `mass`, `centre of gravity` and `inertia`"
         )
     n = bone.segments
     height, mass = length / n, spread / n
@@ -107,8 +111,8 @@ def bone_segments(part: str, bone: Bone, top: float) -> list[Segment]:
 def knee_blocks(knee: Knee) -> list[Segment]:
     """Return the two blocks of the knee, the femur block first.
 
-    Each has its centre of gravity at half its height; the knee's centre of gravity shares out the mass, and what its
-    inertia needs beyond that goes to both in proportion to their masses.
+    Each has its centre of gravity at half its height; the knee's centre of gravity shares out the mass, and
+    what its inertia needs beyond that goes to both in proportion to their masses.
 
     Raises
     ------
@@ -121,7 +125,9 @@ def knee_blocks(knee: Knee) -> list[Segment]:
     upper = mass - lower
     left = float(knee.inertia) - upper * (above / 2 - centre) ** 2 - lower * (below / 2 + centre) ** 2
     if min(upper, lower, left) <= 0:
-        raise RunError("no two blocks meet the knee's mass, centre of gravity and inertia; check them in the legform")
+        raise RunError(
+            "no two blocks meet the knee's mass, centre of gravity and inertia; check them in the legform"
+        )
     return [
         Segment("knee", above, 0.0, above / 2, upper, left * upper / mass, float(knee.depth)),
         Segment("knee", 0.0, -below, -below / 2, lower, left * lower / mass, float(knee.depth)),

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.errors import RunError
 from certkit.mechanics.channels import channels, probes
-from certkit.mechanics.leg import Leg, add_leg
+from certkit.mechanics.leg import add_leg
 from certkit.mechanics.loop import Plan, Trajectory, run_world
 from certkit.mechanics.motion import Motion, film
 from certkit.mechanics.quality import Quality, judge
@@ -104,7 +103,8 @@ def simulate(
     iterations : int, optional
         Of the constraint solver, 5 when not given.
     sample : int, optional
-        Steps a sample; such that samples are about 4e-5 s apart when not given. Static tests have one sample a level.
+        Steps a sample; such that samples are about 4e-5 s apart when not given. Static tests have one
+        sample a level.
 
     Raises
     ------
@@ -121,7 +121,7 @@ def simulate(
     run = run_world(world, plan, list(wanted.values()), tracked)
     readings = {name: run.readings[:, i] for i, name in enumerate(wanted)}
     every = plan.frame // plan.sample
-    motion = film(site, site.leg, run, readings, np.arange(len(run.frame_time)) * every)
+    motion = film(site, site.leg, run, readings, np.arange(len(run.frame_time), dtype=np.int64) * every)
     quality = judge(run, step, iterations)
     recording = Recording(
         kind="simulated",

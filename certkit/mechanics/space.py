@@ -1,9 +1,12 @@
 """A `World` as a pymunk space, and the memory through which compiled code talks to it."""
 
+# pymunk's public API offers no addresses:
+# ruff: noqa: SLF001
+
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pymunk
@@ -11,13 +14,20 @@ from pymunk import batch
 from pymunk._chipmunk_cffi import ffi, lib
 
 from certkit.errors import RunError
-from certkit.mechanics.laws.table import Floats, Integers
-from certkit.mechanics.world import World
+
+if TYPE_CHECKING:
+    from certkit.mechanics.laws.table import Floats, Heads, Integers
+    from certkit.mechanics.world import World
 
 ITERATIONS = 5
 SPARE = 8  # rows: Munk2D reallocates (and so corrupts) a buffer that is within two slots of full
 
-GET = batch.BodyFields.POSITION | batch.BodyFields.ANGLE | batch.BodyFields.VELOCITY | batch.BodyFields.ANGULAR_VELOCITY
+GET = (
+    batch.BodyFields.POSITION
+    | batch.BodyFields.ANGLE
+    | batch.BodyFields.VELOCITY
+    | batch.BodyFields.ANGULAR_VELOCITY
+)
 SET = batch.BodyFields.FORCE | batch.BodyFields.TORQUE
 
 
@@ -51,7 +61,9 @@ def build_space(world: World, step: float, iterations: int = ITERATIONS) -> pymu
     ids = batch.Buffer()
     batch.get_space_bodies(space, batch.BodyFields.BODY_ID, ids)
     if list(memoryview(ids.int_buf()).cast("P"))[: len(bodies)] != [body.id for body in bodies]:
-        raise RunError("pymunk walks the bodies in an unexpected order; use a pymunk version the project card allows")
+        raise RunError(
+            "pymunk walks the bodies in an unexpected order; use a pymunk version the project card allows"
+        )
     return space
 
 
@@ -63,14 +75,14 @@ class Gateway:
     ----------
     entry : ndarray of int64, shape (9,)
         See `certkit.mechanics.kernel.march`.
-    counters : ndarray of int32, shape (2, 2)
+    counters : two ndarrays of int32, shape (2,)
         Heads (fill count, capacity) of the get and the set buffer, seen in place.
     given, taken : ndarray
         Memory of both.
     """
 
     entry: Integers
-    counters: Any
+    counters: Heads
     given: Floats
     taken: Floats
     keep: tuple[object, ...]
@@ -86,25 +98,22 @@ def open_gateway(space: pymunk.Space, world: World) -> Gateway:
         buffer.set_float_buf(memory)
         request = ffi.new("pmBatchedData *")
         request.fields = fields.value
-        request.floatArray = buffer._float_arr  # noqa: SLF001  # the batch API offers no address
-        request.intArray = buffer._int_arr  # noqa: SLF001  # likewise
+        request.floatArray = buffer._float_arr
+        request.intArray = buffer._int_arr
         data.append(request)
-    heads = tuple(
-        np.frombuffer(ffi.buffer(b._float_arr, 8), dtype=np.int32)  # noqa: SLF001  # likewise
-        for b in buffers
-    )
+    first, second = (np.frombuffer(ffi.buffer(b._float_arr, 8), dtype=np.int32) for b in buffers)
 
     def address(thing: object) -> int:
         return int(ffi.cast("intptr_t", thing))
 
-    hinge = list(space.constraints)[world.hinge]._constraint if world.hinge >= 0 else ffi.NULL  # noqa: SLF001  # likewise
+    hinge = list(space.constraints)[world.hinge]._constraint if world.hinge >= 0 else ffi.NULL
     entry = np.array(
         [
             address(ffi.addressof(lib, "cpSpaceStep")),
             address(ffi.addressof(lib, "cpSpaceEachBody")),
             address(ffi.addressof(lib, "pmSpaceBodyGetIteratorFuncBatched")),
             address(ffi.addressof(lib, "pmSpaceBodySetIteratorFuncBatched")),
-            address(space._space),  # noqa: SLF001  # likewise
+            address(space._space),
             address(data[0]),
             address(data[1]),
             address(ffi.addressof(lib, "cpConstraintGetImpulse")),
@@ -112,4 +121,4 @@ def open_gateway(space: pymunk.Space, world: World) -> Gateway:
         ],
         dtype=np.int64,
     )
-    return Gateway(entry, heads, given, taken, (space, buffers, tuple(data)))
+    return Gateway(entry, (first, second), given, taken, (space, buffers, tuple(data)))

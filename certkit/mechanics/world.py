@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from certkit.mechanics.laws import LAWS
-from certkit.mechanics.laws.table import Floats, Integers
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from numpy.typing import NDArray
+
+    from certkit.mechanics.laws.table import Floats, Integers
 
 GROUND = -1
 """Stands for the ground wherever a body is named."""
@@ -89,7 +94,7 @@ class Assembly:
 
     _memory: list[tuple[int, int, dict[str, float]]] = field(default_factory=list)
 
-    def add_body(  # noqa: PLR0913  # a body has that many properties
+    def add_body(  # a body has that many properties
         self,
         name: str,
         mass: float,
@@ -190,10 +195,10 @@ class Assembly:
                 number.extend(constants)
         pivots = [(ground if a == GROUND else a, ground if b == GROUND else b) for a, b, *_ in self._pivots]
         state = np.zeros(states)
-        for law, at, memory in self._memory:
-            names = LAWS[law].states
+        for which, at, memory in self._memory:
+            names = LAWS[which].states
             for name, value in memory.items():
-                state[layout[law, 5] + at * len(names) + names.index(name)] = value
+                state[layout[which, 5] + at * len(names) + names.index(name)] = value
         return World(
             names=tuple(self._names),
             mass=bodies[:, 0].copy(),

@@ -1,6 +1,7 @@
 """Rotational spring and damper between two bodies, stiffening where the steel cables come tight.
 
-Bending moment is positive when the impact side (+x) is in compression: the lower body has turned more than the upper.
+Bending moment is positive when the impact side (+x) is in compression: the lower body has turned more than
+the upper.
 """
 
 from __future__ import annotations
@@ -17,9 +18,7 @@ LAW = Law(
 
 
 @compiled
-def bend(
-    index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats
-) -> None:
+def bend(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
     """Add the joint moments; see `certkit.mechanics.laws.table`."""
     stored = power = 0.0
     for i in range(index.shape[0]):

@@ -1,4 +1,4 @@
-"""Cables on preloaded springs: ligaments of the knee and the tension of the flesh. They pull and never push."""
+"""Cables on preloaded springs, ligaments and the tension of the flesh: they pull and never push."""
 
 from __future__ import annotations
 
@@ -16,9 +16,7 @@ LAW = Law(
 
 
 @compiled
-def pull(
-    index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats
-) -> None:
+def pull(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
     """Add the cable tensions; see `certkit.mechanics.laws.table`."""
     pose, rate = scene.pose, scene.rate
     stored = power = 0.0

@@ -1,7 +1,8 @@
 """A round condyle in a round trough: penalty contact with Coulomb friction.
 
-Friction is a tangential spring that slips when it carries more than friction allows (Cundall and Strack, Géotechnique 29, 1979). Unlike
-friction smoothed over the sliding speed it holds a load at rest, which the static tests need.
+Friction is a tangential spring that slips when it carries more than friction allows (Cundall and Strack,
+Géotechnique 29, 1979). Unlike friction smoothed over the sliding speed it holds a load at rest, which the
+static tests need.
 """
 
 from __future__ import annotations
@@ -44,9 +45,7 @@ LAW = Law(
 
 
 @compiled
-def press(
-    index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats
-) -> None:
+def press(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
     """Add contact and friction of the condyles; see `certkit.mechanics.laws.table`."""
     pose, rate, move = scene.pose, scene.rate, scene.move
     for i in range(index.shape[0]):
@@ -83,8 +82,8 @@ def press(
         stiffness = number[i, 9]
         limit = number[i, 8] * normal / stiffness
         held = min(max(spring, -limit), limit)
-        # Slip, under the mean of the forces before and after: exact both for steady sliding and where a falling normal
-        # force makes a resting contact creep.
+        # Slip, under the mean of the forces before and after: exact both for steady sliding and where a
+        # falling normal force makes a resting contact creep.
         ledger[SPENT] += 0.5 * stiffness * (state[i, 0] + held) * (spring - held)
         friction = stiffness * held
         fx = -normal * nx - friction * tx

@@ -1,6 +1,7 @@
 """Honeycomb: each strip of its face rises elastically to its crush strength and is then crushed for good.
 
-Its force per unit height is the crush strength times the contact width of the segment it meets; the contact pushes only.
+Its force per unit height is the crush strength times the contact width of the segment it meets; the contact
+pushes only.
 """
 
 from __future__ import annotations
@@ -28,9 +29,7 @@ LAW = Law(
 
 
 @compiled
-def crush(
-    index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats
-) -> None:
+def crush(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
     """Add the honeycomb's force; see `certkit.mechanics.laws.table`."""
     pose = scene.pose
     row = 0

@@ -17,9 +17,7 @@ LAW = Law(
 
 
 @compiled
-def hang(
-    index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats
-) -> None:
+def hang(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
     """Add the springs between flesh and bone; see `certkit.mechanics.laws.table`."""
     pose, rate = scene.pose, scene.rate
     stored = power = 0.0

@@ -37,9 +37,7 @@ def _scheduled(schedule: Floats, time: float) -> float:
 
 
 @compiled
-def push(
-    index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats
-) -> None:
+def push(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
     """Add the ram's force, along -x; its work is booked as negative dissipation."""
     pose, rate = scene.pose, scene.rate
     for i in range(index.shape[0]):

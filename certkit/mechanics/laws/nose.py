@@ -1,6 +1,7 @@
 """The round nose of the loading ram on the flat face of a knee block.
 
-It pushes along x; what its normal would add along the leg is carried by friction on the neoprene sheet and booked as dissipated.
+It pushes along x; what its normal would add along the leg is carried by friction on the neoprene sheet and
+booked as dissipated.
 """
 
 from __future__ import annotations
@@ -29,9 +30,7 @@ LAW = Law(
 
 
 @compiled
-def lean(
-    index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats
-) -> None:
+def lean(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
     """Add the contact of nose and blocks; see `certkit.mechanics.laws.table`."""
     pose, rate = scene.pose, scene.rate
     for i in range(index.shape[0]):

@@ -1,14 +1,14 @@
-"""The leg's face as obstacles see it: which segment stands at a height, and how far it has come forward there.
+"""The leg's face as obstacles see it: which segment stands at a height, and how far forward.
 
-Obstacles are cut into strips of constant height in space. A strip looks up the segment at its height, so its force passes smoothly from
-segment to segment as the leg tilts and slides. Forces follow the gradient of the depth, which makes them normal to the face and
-conservative.
+Obstacles are cut into strips of constant height in space. A strip looks up the segment at its height, so
+its force passes smoothly from segment to segment as the leg tilts and slides. Forces follow the gradient of
+the depth, which makes them normal to the face and conservative.
 """
 
 from __future__ import annotations
 
 from certkit.mechanics.laws.compiling import compiled
-from certkit.mechanics.laws.table import COS, SIN, Floats, Scene, X, Z
+from certkit.mechanics.laws.table import COS, SIN, Scene, X, Z
 
 STEEPEST = 0.3  # cosine: a segment that leans more than about 70° is not met by any obstacle
 

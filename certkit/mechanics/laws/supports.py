@@ -1,7 +1,8 @@
 """Rollers that stay where they are in space while the bone slides over them.
 
-The reaction is along the load (x) at a fixed station, so the moment at mid-span is F/2 · span/2 whatever the deflection: what a frictionless
-roller would add along the bone is carried by friction there. The work of that friction is booked as dissipated.
+The reaction is along the load (x) at a fixed station, so the moment at mid-span is F/2 · span/2 whatever
+the deflection: what a frictionless roller would add along the bone is carried by friction there. The work
+of that friction is booked as dissipated.
 """
 
 from __future__ import annotations
@@ -26,9 +27,7 @@ LAW = Law("supports", ("carrier",), ("station", "stiffness", "damping"), ("depth
 
 
 @compiled
-def carry(
-    index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats
-) -> None:
+def carry(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
     """Add the reactions of the rollers, which stand at x = 0 and push along +x."""
     pose, rate = scene.pose, scene.rate
     for i in range(index.shape[0]):
@@ -44,7 +43,9 @@ def carry(
         if depth <= 0.0:
             continue
         point_speed = rate[body, 0] - rate[body, 2] * lever
-        face_speed = rate[body, 0] + tangent * rate[body, 1] - rate[body, 2] * lever * (1.0 + tangent * tangent)
+        face_speed = (
+            rate[body, 0] + tangent * rate[body, 1] - rate[body, 2] * lever * (1.0 + tangent * tangent)
+        )
         elastic = number[i, 1] * depth
         force = max(elastic - number[i, 2] * face_speed, 0.0)
         load[body, 0] += force

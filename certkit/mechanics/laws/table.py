@@ -1,7 +1,8 @@
 """What every force law declares: the columns of its tables.
 
-A law is one small file: a `Law` that names the columns, and one compiled function that walks the rows. All laws have the same
-signature, so adding one means a new file, a line in `certkit.mechanics.laws` and a line in `certkit.mechanics.kernel`.
+A law is one small file: a `Law` that names the columns, and one compiled function that walks the rows. All
+laws have the same signature, so adding one means a new file, a line in `certkit.mechanics.laws` and a line
+in `certkit.mechanics.kernel`.
 
 A law's function is called once a step with
 
@@ -22,6 +23,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
+Heads = tuple[NDArray[np.int32], NDArray[np.int32]]
 
 # Columns of a law's ledger.
 STORED = 0  # elastic (or gravitational) energy now, J
@@ -49,7 +51,8 @@ class Scene(NamedTuple):
     outline_body : ndarray of int64, shape (m,)
         Bodies of the leg from top to bottom.
     outline : ndarray, shape (m, 4)
-        Of each: top and bottom above its centre of gravity, distance of its face from the axis, contact width.
+        Of each: top and bottom above its centre of gravity, distance of its face from the axis, contact
+        width.
     time, step : float
         Seconds; `step` is the length of the step that leads to this instant.
     schedule : ndarray, shape (k, 2)

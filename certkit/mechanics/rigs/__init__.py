@@ -1,1 +1,1 @@
-"""The fixtures of a rig: each one small file, named in a procedure by the words of `certkit.definitions.rig`."""
+"""The fixtures of a rig, each one small file, named in procedures by the words of `definitions.rig`."""

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from certkit.definitions.rig import AddedMass
-from certkit.mechanics.segments import Segment
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from certkit.definitions.rig import AddedMass
+    from certkit.mechanics.segments import Segment
 
 
 def with_added_mass(segments: Sequence[Segment], added: AddedMass) -> list[Segment]:

@@ -1,12 +1,16 @@
-"""Three-point bending: rollers fixed in space, and a ram that presses at mid-span in a staircase of force levels."""
+"""Three-point bending: rollers fixed in space, a ram that presses at mid-span in a staircase of levels."""
 
 from __future__ import annotations
 
-from certkit.definitions.rig import LoadingRam, Supports
+from typing import TYPE_CHECKING
+
 from certkit.errors import RunError
 from certkit.mechanics.laws import LOADING, NOSE, SUPPORTS
 from certkit.mechanics.rigs.site import Site, disc
 from certkit.mechanics.world import GROUND
+
+if TYPE_CHECKING:
+    from certkit.definitions.rig import LoadingRam, Supports
 
 RAMP = 0.010
 HOLD = 0.050

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from certkit.definitions.rig import Hanger, Hinge
+from typing import TYPE_CHECKING
+
 from certkit.mechanics.rigs.site import GRAVITY, Site, disc
 from certkit.mechanics.world import GROUND
+
+if TYPE_CHECKING:
+    from certkit.definitions.rig import Hanger, Hinge
 
 
 def fit_hinge(site: Site, hinge: Hinge) -> None:
@@ -13,7 +17,7 @@ def fit_hinge(site: Site, hinge: Hinge) -> None:
 
 
 def fit_hanger(site: Site, hanger: Hanger) -> None:
-    """Hang the leg up by one end; during the impact it stays pinned, or is free and no longer carries its weight."""
+    """Hang the leg up by one end; during the impact it stays pinned, or is free (and so weightless)."""
     if hanger.hold == "pinned":
         _pin(site, hanger.at, 0.0, "hanger")
 

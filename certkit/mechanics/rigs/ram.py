@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
-from certkit.definitions.legform import Flesh
-from certkit.definitions.rig import Ram
 from certkit.mechanics.laws import CRUSH
 from certkit.mechanics.rigs.site import Site, box, strips
+
+if TYPE_CHECKING:
+    from certkit.definitions.legform import Flesh
+    from certkit.definitions.rig import Ram
 
 ELASTIC = 0.001
 """m: depth at which honeycomb reaches its crush strength. Doubling it changes no peak by more than 0.5 %."""
 
 
 def fit_ram(site: Site, ram: Ram) -> None:
-    """Let the ram touch the upright leg at full speed. With flesh fitted, that is squeezed before the honeycomb gives way."""
+    """Let the ram touch the upright leg at full speed. Flesh, where fitted, is squeezed first."""
     top, height = float(ram.top_edge), float(ram.height)
     face = site.face(top, top - height)
     body = site.assembly.add_body(
@@ -43,7 +46,7 @@ def fit_ram(site: Site, ram: Ram) -> None:
 
 
 def _squeeze(flesh: Flesh, pressure: float) -> float:
-    """Return the depth at which the flesh carries a force per unit height (root of a cubic with one real root)."""
+    """Return the depth at which the flesh carries a force per unit height."""
     # d + d³/d₀² = p/k, by Cardano.
     limit = float(flesh.thickness)
     half = pressure / float(flesh.compression) * limit**2 / 2

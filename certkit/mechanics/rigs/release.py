@@ -1,13 +1,16 @@
-"""The release of the pendulum: let go above the horizontal, it swings down about its hinge onto the stopper."""
+"""The release of the pendulum: let go above the horizontal, it swings about its hinge onto the stopper."""
 
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
-from certkit.definitions.rig import Hinge, Release
 from certkit.errors import RunError
 from certkit.mechanics.laws import CUSHION
 from certkit.mechanics.rigs.site import GRAVITY, Site
+
+if TYPE_CHECKING:
+    from certkit.definitions.rig import Hinge, Release
 
 
 def fit_release(site: Site, release: Release, hinge: Hinge | None) -> None:

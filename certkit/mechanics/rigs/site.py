@@ -1,14 +1,16 @@
-"""What fixtures are built into: the world so far, the leg in it, and what they add for channels and picture."""
+"""What fixtures are built into: the world so far, the leg in it, what they add for channels and picture."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
-from certkit.definitions.legform import Legform
-from certkit.definitions.rig import Rig
-from certkit.mechanics.leg import Leg
-from certkit.mechanics.world import Assembly
+if TYPE_CHECKING:
+    from certkit.definitions.legform import Legform
+    from certkit.definitions.rig import Rig
+    from certkit.mechanics.leg import Leg
+    from certkit.mechanics.world import Assembly
 
 GRAVITY = 9.81
 STRIP = 0.004

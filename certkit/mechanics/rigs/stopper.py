@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from certkit.definitions.rig import Stopper
+from typing import TYPE_CHECKING
+
 from certkit.mechanics.laws import CUSHION
 from certkit.mechanics.rigs.site import Site, box, strips
 from certkit.mechanics.world import GROUND
+
+if TYPE_CHECKING:
+    from certkit.definitions.rig import Stopper
 
 BARE = 1e8
 """N/m²: stiffness per unit length of a bare bone on a rigid bar."""
