@@ -1,1 +1,1 @@
-"""Typed definition documents, the reader that reports every error at once, and the library that finds them."""
+"""Typed definition documents, the reader that reports all errors at once, the library that finds them."""

@@ -1,12 +1,11 @@
-"""What no single value of a procedure can show: fixtures that cannot go together, criteria without a channel.
+"""What no single value can show: fixtures that cannot go together, criteria without a channel.
 
-The checks look at the file as read, so that they report beside whatever else is wrong with it; odd values are passed over
-here because the document itself reports them.
+The checks look at the file as read, so that they report beside whatever else is wrong with it; odd values are
+passed over here because the document itself reports them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.quantities import parse_quantity
@@ -14,6 +13,8 @@ from certkit.definitions.sentences import suggestion
 from certkit.definitions.vocabulary import CHANNELS, channel_kind
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from certkit.definitions.faults import Steps
     from certkit.definitions.reader import Tree
     from certkit.errors import Problem
@@ -51,9 +52,11 @@ def check_legform(tree: Tree) -> list[Problem]:
     if not isinstance(ligaments, dict):
         return []
     steps: Steps = ("knee", "ligaments")
-    odd = [name for name in ligaments if name not in _LIGAMENTS]
-    found = [(steps, f"`{name}` is missing; a knee has {', '.join(_LIGAMENTS)}") for name in _LIGAMENTS if name not in ligaments]
-    found += [((*steps, name), f"`{name}` is no ligament; a knee has {', '.join(_LIGAMENTS)}") for name in odd]
+    has = f"a knee has {', '.join(_LIGAMENTS)}"
+    found = [(steps, f"`{name}` is missing; {has}") for name in _LIGAMENTS if name not in ligaments]
+    found += [
+        ((*steps, name), f"`{name}` is no ligament; {has}") for name in ligaments if name not in _LIGAMENTS
+    ]
     return [tree.problem(where, message, key=True) for where, message in found]
 
 
@@ -87,7 +90,8 @@ def check_reference(tree: Tree) -> list[Problem]:
         given = tree.data.get(key)
         for name, text in given.items() if isinstance(given, dict) else ():
             if key == "published" and isinstance(values, dict) and name not in values:
-                found.append(((key, name), f"`{name}` has no value to stand beside; {suggestion(name, list(values))}"))
+                message = f"`{name}` has no value to stand beside; {suggestion(name, list(values))}"
+                found.append(((key, name), message))
             elif name in CHANNELS and isinstance(text, str):
                 found += [((key, name), said) for said in _unfit(text, name)]
     return [tree.problem(where, message) for where, message in found]
@@ -97,7 +101,9 @@ def _fixtures(data: dict[str, Any]) -> Iterator[Finding]:
     given = data.get("rig")
     if not isinstance(given, dict):
         return
-    rig = [name.replace("_", " ") for name, fixture in given.items() if fixture is not None and name != "origin"]
+    rig = [
+        name.replace("_", " ") for name, fixture in given.items() if fixture is not None and name != "origin"
+    ]
     if not rig:
         yield ("rig",), "holds no fixture; name at least one, such as `hinge` or `supports`"
     for name in rig:
@@ -107,16 +113,23 @@ def _fixtures(data: dict[str, Any]) -> Iterator[Finding]:
         needed = _NEEDS.get(name)
         if needed is not None and needed not in rig:
             yield ("rig", name), f"`{name}` does nothing without `{needed}`; add it"
+    yield from _specimen(data, rig)
+
+
+def _specimen(data: dict[str, Any], rig: list[str]) -> Iterator[Finding]:
     specimen = data.get("specimen")
     part = specimen.get("part", "leg") if isinstance(specimen, dict) else "leg"
     if "supports" in rig and part == "leg":
-        yield ("rig", "supports"), "a whole leg does not lie on supports; set the specimen's `part` to femur, tibia or knee"
+        yield ("rig", "supports"), "a whole leg does not lie on supports; set `part` of the specimen"
     if "supports" not in rig and part in {"femur", "tibia", "knee"}:
         yield ("specimen", "part"), f"a {part} alone needs `supports` and a `loading ram` on the rig"
     if "free flight" in rig and data.get("vehicle") is None:
         yield ("rig", "free flight"), "`free flight` hits a vehicle; name it with `vehicle`"
     if "free flight" not in rig and data.get("vehicle") is not None:
-        yield ("vehicle",), "a vehicle is hit in `free flight` only; add it to the rig, or leave the vehicle out"
+        yield (
+            ("vehicle",),
+            "a vehicle is hit in `free flight` only; add it to the rig, or leave the vehicle out",
+        )
 
 
 def _criteria(criteria: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML data

@@ -16,13 +16,15 @@ Point = tuple[str, str]
 
 
 class Entry(Sourced):
-    """One corridor, limit or score. Its origin is its own `source` and `confidence`, or the set's `origin`."""
+    """One corridor, limit or score; its origin is its own, or the set's."""
 
-    note: Annotated[str | None, Field(description="What a reader of the verdict should know about it.")] = None
+    note: Annotated[str | None, Field(description="What a reader of the verdict should know about it.")] = (
+        None
+    )
 
 
 class Window(Entry):
-    """A scalar corridor: `lower` ≤ value ≤ `upper`; either may be missing. Quantities carry the channel's unit."""
+    """A scalar corridor: `lower` ≤ value ≤ `upper`, in the channel's unit; either may be missing."""
 
     lower: str | None = None
     upper: str | None = None
@@ -43,7 +45,7 @@ class Window(Entry):
 
 
 class Polygon(Entry):
-    """A closed area in the plane of two channels that the curve must stay inside of. Points are pairs (x, y)."""
+    """A closed area in the plane of two channels that a curve must stay inside of; points are (x, y)."""
 
     x: Annotated[str, Field(description="Channel of the abscissa.")]
     y: Annotated[str, Field(description="Channel of the ordinate.")]
@@ -55,7 +57,9 @@ class Polygon(Entry):
         hit = crossing(corners)
         if hit is not None:
             first, second = (index + 1 for index in hit)
-            message = f"the side from point {first} meets the side from point {second}; give the corners in turn"
+            message = (
+                f"the side from point {first} meets the side from point {second}; give the corners in turn"
+            )
             faults = [(("points", hit[1]), message)]
         if faults:
             raise Faults(faults)
@@ -94,7 +98,11 @@ class Band(Entry):
 
     def lines(self) -> dict[str, str]:
         """Return what it consists of."""
-        return {side: f"line of {len(points)} points" for side in ("lower", "upper") if (points := getattr(self, side))}
+        return {
+            side: f"line of {len(points)} points"
+            for side in ("lower", "upper")
+            if (points := getattr(self, side))
+        }
 
 
 class Forfeit(Document):
@@ -131,15 +139,17 @@ class Score(Entry):
 
 
 class CorridorSet(Section):
-    """Corridors of one procedure from one source. Entries inherit the set's `origin` unless they have their own.
+    """Corridors of one procedure from one source. Entries inherit the set's `origin` unless they have one.
 
-    `awaited` names corridors that exist but that nobody could supply yet, with the reason: criteria that are held
-    against them are informative until a set of the same name, found earlier, has them.
+    `awaited` names corridors that exist but that nobody could supply yet, with the reason: criteria that are
+    held against them are informative until a set of the same name, found earlier, has them.
     """
 
     corridors: Annotated[str, Field(description="Name of the set.")]
     title: str
-    impactor: Annotated[Literal["Flex-PLI", "aPLI"], Field(description="The legform they are for.")] = "Flex-PLI"
+    impactor: Annotated[Literal["Flex-PLI", "aPLI"], Field(description="The legform they are for.")] = (
+        "Flex-PLI"
+    )
     windows: dict[str, Window] = {}
     polygons: dict[str, Polygon] = {}
     bands: dict[str, Band] = {}
@@ -151,7 +161,9 @@ class CorridorSet(Section):
     def _has_entries(self) -> Self:
         groups = {name: getattr(self, name) for name in ("windows", "polygons", "bands", "scores", "awaited")}
         if not any(groups.values()):
-            raise Faults([((), "holds no corridor; add `windows`, `polygons`, `bands`, `scores` or `awaited`")])
+            raise Faults(
+                [((), "holds no corridor; add `windows`, `polygons`, `bands`, `scores` or `awaited`")]
+            )
         first: dict[str, str] = {}
         faults: list[Fault] = []
         for group, entries in groups.items():
@@ -186,7 +198,7 @@ class CorridorSet(Section):
 
 
 def _order(low: tuple[str, str | None], high: tuple[str, str | None]) -> list[Fault]:
-    """Return what is wrong with two (key, quantity) that should be alike and in order; either may be missing."""
+    """Return what is wrong with two (key, quantity) that should be alike and in order."""
     given = [(key, text) for key, text in (low, high) if text is not None]
     values, wrong = alike([text for _, text in given])
     faults: list[Fault] = [((given[index][0],), said) for index, said in wrong]

@@ -1,4 +1,4 @@
-"""What all definition documents share: words instead of identifiers, no unknown keys, and inherited origins."""
+"""What all definition documents share: words as keys, no unknown keys, and inherited origins."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def words(name: str) -> str:
 
 
 class Document(BaseModel):
-    """A mapping in a YAML file. Keys are words: `added mass`, `bending stiffness`; unknown keys are errors."""
+    """A mapping in a YAML file. Keys are words such as `added mass`; unknown keys are errors."""
 
     model_config = ConfigDict(
         extra="forbid",
@@ -47,13 +47,15 @@ class Section(Document):
         origin = {key: origin[key] for key in ("source", "confidence") if key in origin}
         shapes = fields(cls)
         return {
-            key: value if key == "origin" else _with_origin(value, shapes.get(words(key), shapes.get(key)), origin)
+            key: value
+            if key == "origin"
+            else _with_origin(value, shapes.get(words(key), shapes.get(key)), origin)
             for key, value in data.items()
         }
 
 
 class Sourced(Section):
-    """A part whose numbers are texts with one origin: its own `source` and `confidence`, or those it inherits."""
+    """A part whose numbers are texts with one origin: its own `source` and `confidence`, or inherited."""
 
     source: str | None = None
     confidence: Confidence | None = None
@@ -72,7 +74,9 @@ class Sourced(Section):
     def _has_origin(self) -> Self:
         if self.source is None or self.confidence is None:
             missing = "source" if self.source is None else "confidence"
-            message = f"`{missing}` is missing; add it here, or an `origin` with source and confidence further up"
+            message = (
+                f"`{missing}` is missing; add it here, or an `origin` with source and confidence further up"
+            )
             raise Faults([((), message)])
         return self
 
@@ -86,17 +90,19 @@ def _with_origin(given: Any, shape: Shape | None, origin: dict[str, Any]) -> Any
     if shape is None:
         return given
     if shape.kind == "number":
-        if isinstance(given, dict):
-            return {**origin, **given} if "value" in given else given
-        bare = isinstance(given, (str, int, float)) and not isinstance(given, (bool, Number))
-        return {"value": given, **origin} if bare else given
-    if shape.kind == "document":
-        inherits = shape.model is not None and issubclass(shape.model, Section)
-        if inherits and isinstance(given, dict) and "origin" not in given:
-            return {"origin": origin, **given}
-        return given
+        return _number_with_origin(given, origin)
+    if shape.model is not None:
+        inherits = issubclass(shape.model, Section) and isinstance(given, dict) and "origin" not in given
+        return {"origin": origin, **given} if inherits else given
     if shape.kind == "mapping" and isinstance(given, dict):
         return {key: _with_origin(value, shape.item, origin) for key, value in given.items()}
     if shape.kind == "list" and isinstance(given, (list, tuple)):
         return [_with_origin(value, shape.item, origin) for value in given]
     return given
+
+
+def _number_with_origin(given: Any, origin: dict[str, Any]) -> Any:  # noqa: ANN401  # raw YAML data
+    if isinstance(given, dict):
+        return {**origin, **given} if "value" in given else given
+    bare = isinstance(given, (str, int, float)) and not isinstance(given, (bool, Number))
+    return {"value": given, **origin} if bare else given

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
 Steps = tuple[str | int, ...]
 """Keys and indices that lead through a document to a value."""
 
@@ -12,7 +17,7 @@ Fault = tuple[Steps, str]
 class Faults(ValueError):  # noqa: N818  # several at once
     """Raised inside a pydantic validator; `certkit.definitions.sentences` gives each fault its place."""
 
-    def __init__(self, faults: list[Fault]) -> None:
+    def __init__(self, faults: Sequence[Fault]) -> None:
         """Keep the faults."""
-        self.faults = faults
+        self.faults = tuple(faults)
         super().__init__("; ".join(message for _, message in faults))

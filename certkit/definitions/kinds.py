@@ -55,12 +55,32 @@ def _named(home: str) -> object:
 
 
 _ALL = (
-    Kind("procedure", "a test: rig, criteria, preconditions", "procedure:Procedure", "procedures", "checks:check_procedure"),
+    Kind(
+        "procedure",
+        "a test: rig, criteria, preconditions",
+        "procedure:Procedure",
+        "procedures",
+        "checks:check_procedure",
+    ),
     Kind("corridors", "corridors, limits and scores", "corridor:CorridorSet", "corridors"),
-    Kind("legform", "masses, stiffnesses and geometry of a leg", "legform:Legform", "models/legforms", "checks:check_legform"),
-    Kind("vehicle", "a car front as the leg meets it", "vehicle:Vehicle", "models/vehicles", "checks:check_vehicle"),
+    Kind(
+        "legform",
+        "masses, stiffnesses and geometry of a leg",
+        "legform:Legform",
+        "models/legforms",
+        "checks:check_legform",
+    ),
+    Kind(
+        "vehicle",
+        "a car front as the leg meets it",
+        "vehicle:Vehicle",
+        "models/vehicles",
+        "checks:check_vehicle",
+    ),
     Kind("case", "finite-element histories that a vehicle is extracted from", "case:Case"),
-    Kind("reference", "values to compare with", "reference:Reference", "references", "checks:check_reference"),
+    Kind(
+        "reference", "values to compare with", "reference:Reference", "references", "checks:check_reference"
+    ),
 )
 
 KINDS = {kind.word: kind for kind in _ALL}
@@ -74,9 +94,15 @@ def kind_of(word: str) -> Kind:
     UsageError
         When there is no such kind; names those there are.
     """
-    from certkit.definitions.sentences import suggestion  # noqa: PLC0415  # difflib, only needed when something is wrong
+    from certkit.definitions.sentences import suggestion  # noqa: PLC0415  # only when wrong
 
     for kind in _ALL:
-        if word in {kind.word, f"{kind.word}s", kind.folder, kind.folder.rpartition("/")[2], kind.word.rstrip("s")}:
+        if word in {
+            kind.word,
+            f"{kind.word}s",
+            kind.folder,
+            kind.folder.rpartition("/")[2],
+            kind.word.rstrip("s"),
+        }:
             return kind
     raise UsageError(f"`{word}` is no kind of definition; {suggestion(word, list(KINDS))}")

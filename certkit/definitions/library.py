@@ -1,7 +1,7 @@
 """Find a definition by its name or path, change values in it, and read it into its typed document.
 
-Names are looked for in the folders given with `--library`, in the given order, then among those that come with certkit. A path
-(anything with a folder or an ending in it) is read as it stands.
+Names are looked for in the folders given with `--library`, in the given order, then among those that come
+with certkit. A path (anything with a folder or an ending in it) is read as it stands.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ if TYPE_CHECKING:
     from certkit.definitions.reference import Reference
     from certkit.definitions.vehicle import Vehicle
 
-D = TypeVar("D", bound=BaseModel, covariant=True)
+D_co = TypeVar("D_co", bound=BaseModel, covariant=True)
 
 Library = Sequence[Path | Shelf]
 """What is searched before the shipped definitions, in this order."""
 
 
 @dataclass(frozen=True)
-class Loaded(Generic[D]):
+class Loaded(Generic[D_co]):
     """A definition with where it came from.
 
     Parameters
@@ -55,7 +55,7 @@ class Loaded(Generic[D]):
 
     kind: str
     name: str
-    document: D
+    document: D_co
     path: str
     sha256: str
     text: str
@@ -102,7 +102,8 @@ def load(
     library : sequence of Path or Shelf
         Searched first, in order.
     overrides : sequence of str
-        Values to change, `path=value`, such as `rig.hinge.offset=30 mm`; the path starts inside this definition.
+        Values to change, `path=value`, such as `rig.hinge.offset=30 mm`; the path starts inside this
+        definition.
 
     Returns
     -------

@@ -1,13 +1,14 @@
 """Numbers that know where they come from.
 
-Every corridor, limit and model parameter is a `Number`: a float in SI units that also carries the words it was
-written in, its source and how far that source can be trusted. Code that calculates uses it like any float.
+Every corridor, limit and model parameter is a `Number`: a float in SI units that also carries the words it
+was written in, its source and how far that source can be trusted. Code that calculates uses it like any
+float.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, cast, get_args
+from typing import Annotated, Any, Literal, Self, cast, get_args
 
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic_core import core_schema
@@ -29,7 +30,9 @@ class Origin(BaseModel):
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
-    source: Annotated[str, Field(min_length=MIN_SOURCE, description="Text, test or fit that the number comes from.")]
+    source: Annotated[
+        str, Field(min_length=MIN_SOURCE, description="Text, test or fit that the number comes from.")
+    ]
     confidence: Confidence
 
 
@@ -40,7 +43,7 @@ class Number(float):
     source: str
     confidence: Confidence
 
-    def __new__(cls, value: float, text: str, source: str, confidence: Confidence) -> Number:
+    def __new__(cls, value: float, text: str, source: str, confidence: Confidence) -> Self:
         """Make a number; `text` is how it was written, with its unit."""
         number = super().__new__(cls, value)
         number.text, number.source, number.confidence = text, source, confidence
@@ -52,10 +55,10 @@ class Number(float):
 
 
 class Dimension:
-    """Annotation that makes pydantic read a `Number` of one dimension: `Annotated[Number, Dimension("length")]`.
+    """Makes pydantic read a `Number` of one dimension: `Annotated[Number, Dimension("length")]`.
 
-    In YAML the number is a mapping `{value: 25 mm, source: …, confidence: …}`, or just `25 mm` inside a section whose
-    `origin` covers it (`certkit.definitions.document.Section` fills that in before validation).
+    In YAML the number is a mapping `{value: 25 mm, source: …, confidence: …}`, or just `25 mm` inside a
+    section whose `origin` covers it (`certkit.definitions.document.Section` fills that in before validation).
     """
 
     def __init__(self, name: str) -> None:
@@ -87,7 +90,9 @@ class Dimension:
             except ValueError as error:
                 faults.append((("value",), str(error)))
         if not isinstance(source, str) or len(source) < MIN_SOURCE:
-            faults.append((("source",), "`source` has to name the text, test or fit that the number comes from"))
+            faults.append(
+                (("source",), "`source` has to name the text, test or fit that the number comes from")
+            )
         if confidence not in CONFIDENCES:
             message = f"`{confidence}` is no confidence" if confidence else "`confidence` is missing"
             faults.append((("confidence",), f"{message}; write one of {', '.join(CONFIDENCES)}"))

@@ -1,12 +1,11 @@
 """Change values of a definition for one run: `rig.hinge.offset=30 mm`, `criteria.T1.filter=none`.
 
-A path is words with dots between them. Underscores and hyphens stand for spaces; list entries are named by their id or by
-their number, from 1.
+A path is words with dots between them. Underscores and hyphens stand for spaces; list entries are named by
+their id or by their number, from 1.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +15,8 @@ from certkit.definitions.shape import Shape, fields
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
     from pydantic import BaseModel
 
     from certkit.definitions.faults import Steps
@@ -44,7 +45,7 @@ class Change:
 
 @dataclass(frozen=True)
 class _Spot:
-    """Where a path leads: the steps in the file's own words, what stands there, and the entry that holds its origin."""
+    """Where a path leads: the steps in the file's words, what stands there, the part that has its origin."""
 
     steps: Steps
     words: str
@@ -127,8 +128,10 @@ def _below(data: Any, shape: Shape) -> dict[str, tuple[str | int, Shape, Any]]: 
 def _find(path: str, data: Any, model: type[BaseModel]) -> _Spot:  # noqa: ANN401  # raw YAML data
     """Follow a path; names may hold dots themselves, so the longest name that fits is taken."""
     top, rest = data, plain(path)
-    shape, steps, sourced = Shape("document", model=model), [], None
+    shape = Shape("document", model=model)
+    steps: list[str | int] = []
     words: list[str] = []
+    sourced: Steps | None = None
     while rest:
         below = _below(data, shape)
         fitting = [name for name in below if rest == plain(name) or rest.startswith(f"{plain(name)}.")]

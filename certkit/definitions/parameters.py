@@ -1,14 +1,17 @@
-"""All numbers of a document in one list, each with its origin: what a report prints and `certkit show` lists."""
+"""All numbers of a document in one list, each with its origin: what a report prints and `show` lists."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from pydantic import BaseModel
 
 from certkit.definitions.document import Sourced, words
 from certkit.definitions.origin import Confidence, Number
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 
 @dataclass(frozen=True)
@@ -53,7 +56,9 @@ def _walk(given: object, path: str) -> Iterator[Parameter]:
             yield from _walk(entry, _join(path, str(key)))
     elif isinstance(given, (list, tuple)):
         for index, entry in enumerate(given, 1):
-            yield from _walk(entry, _join(path, str(getattr(entry, "id", None) or getattr(entry, "quantity", index))))
+            yield from _walk(
+                entry, _join(path, str(getattr(entry, "id", None) or getattr(entry, "quantity", index)))
+            )
 
 
 def _join(path: str, key: str) -> str:

@@ -1,11 +1,15 @@
 """Polygons in the plane: whether the sides of one cross.
 
-Written out because geometry libraries (shapely) are a large dependency for one question asked of a handful of corners.
+Written out because geometry libraries (shapely) are a large dependency for one question asked of a handful of
+corners.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 Corner = tuple[float, float]
 
@@ -34,7 +38,7 @@ def crossing(corners: Sequence[Corner]) -> tuple[int, int] | None:
             if min(sides[j][0][0], sides[j][1][0]) > right:
                 break  # sorted from left to right: no further side can reach this one
             adjacent = (i - j) % count in {1, count - 1}
-            if (_folded(sides[i], sides[j]) if adjacent else _meet(sides[i], sides[j])):
+            if _folded(sides[i], sides[j]) if adjacent else _meet(sides[i], sides[j]):
                 return (min(i, j), max(i, j))
     return None
 

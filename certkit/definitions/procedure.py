@@ -1,4 +1,4 @@
-"""The procedure document: a test sheet that names a rig's fixtures, what is measured and what it is held against."""
+"""The procedure document: a test sheet with a rig's fixtures, its criteria and its preconditions."""
 
 from __future__ import annotations
 
@@ -92,7 +92,9 @@ class Precondition(Sourced):
     dimension: str
     within: Annotated[list[str], Field(min_length=2, max_length=2)]
     applies_to: Literal["measured", "simulated", "both"] = "measured"
-    required: Annotated[bool, Field(description="False: checked when it was recorded, else only named.")] = True
+    required: Annotated[bool, Field(description="False: checked when it was recorded, else only named.")] = (
+        True
+    )
 
     @model_validator(mode="after")
     def _has_order(self) -> Self:
@@ -142,6 +144,6 @@ class Procedure(Section):
         try:
             method = Method.model_validate(data["method"])
         except ValueError:
-            # What is wrong with the method is reported where it stands; that its numbers lack an origin is no news then.
+            # The method's faults are reported where they stand; numbers without an origin are no news then.
             return {**data, "origin": {"source": "a method that cannot be read", "confidence": "estimated"}}
         return {**data, "origin": {"source": method.words, "confidence": method.confidence}}

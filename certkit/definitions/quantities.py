@@ -1,15 +1,18 @@
 """Quantities as people write them (`5 kg`, `25 mm`, `15 deg`) and as the program uses them: plain SI numbers.
 
-Some sixty units in two dozen dimensions are needed; importing pint for them costs 0.6 s, three times what a whole
-simulated test takes, so the table is ours and pint is the oracle of the tests.
+Some sixty units in two dozen dimensions are needed; importing pint for them costs 0.6 s, three times what a
+whole simulated test takes, so the table is ours and pint is the oracle of the tests.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
 from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 # Dimension → unit → factor to SI. Temperatures have an offset too and are handled below.
 _PI = math.pi
@@ -76,12 +79,15 @@ def parse_quantity(text: object, dimension: str) -> float:
     Raises
     ------
     ValueError
-        When it is no finite number or the unit is missing or not one of the dimension; says which units would do.
+        When it is no finite number, or has no unit of the dimension; says which units would do.
     """
     units = UNITS[dimension]
     allowed = ", ".join(u for u in units if u) or "no unit"
     if isinstance(text, bool) or not isinstance(text, (str, int, float)):
-        raise ValueError(f"expected a {dimension} such as `1 {next(iter(units))}`, not {text!r}")
+        example = f"1 {next(iter(units))}".strip()
+        raise ValueError(  # noqa: TRY004  # pydantic gathers ValueErrors
+            f"expected a {dimension} such as `{example}`, not {text!r}"
+        )
     match = _NUMBER.match(str(text))
     if match is None:
         raise ValueError(f"`{text}` is not a number with a unit; write a {dimension} in {allowed}")
@@ -98,7 +104,7 @@ def parse_quantity(text: object, dimension: str) -> float:
 
 
 def dimensions(text: object) -> list[str]:
-    """Return every dimension that a text is a quantity of: `25 mm` is a length, `3 g` a mass or an acceleration."""
+    """Return what a text can be a quantity of: `25 mm` of length, `3 g` of mass or acceleration."""
     found = []
     for dimension in UNITS:
         try:
@@ -120,8 +126,8 @@ def alike(texts: Sequence[str]) -> tuple[list[float], list[tuple[int, str]]]:
     Returns
     -------
     tuple of list
-        The SI values, and (index, what is wrong) of each text that is no quantity or of another kind than those before;
-        there are values only when nothing is wrong.
+        The SI values, and (index, what is wrong) of each text that is no quantity or of another kind than
+        those before; there are values only when nothing is wrong.
     """
     common: list[str] = []
     wrong = []

@@ -1,24 +1,30 @@
-"""Read YAML that may come from anywhere: nothing is executed, nothing can explode, every value keeps its place.
+"""Read YAML that may come from anywhere: nothing is executed, nothing explodes, every value keeps its place.
 
-PyYAML's parser (libyaml where it is built in) only cuts the text into events; what they mean is decided here, because its
-own loaders let a later duplicate key win, follow tags, resolve scalars by YAML 1.1, and forget the places.
+PyYAML's parser (libyaml where it is built in) only cuts the text into events; what they mean is decided here,
+because its own loaders let a later duplicate key win, follow tags, resolve scalars by YAML 1.1, and forget
+the places.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
-from certkit.definitions.faults import Steps
 from certkit.definitions.scalars import plain_scalar
 from certkit.errors import DefinitionError, Problem
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from certkit.definitions.faults import Steps
 
 MAX_BYTES = 2_000_000
 MAX_DEPTH = 40
 MAX_NODES = 200_000  # aliases count with all they stand for
+
+_START = "a definition starts with its kind, such as `procedure: my-test`"
 
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -85,7 +91,8 @@ def read_tree(data: bytes | str, file: str) -> Tree:
     Raises
     ------
     DefinitionError
-        When it is no YAML, not UTF-8, too large, too deep, empty, several documents, or no mapping at its top.
+        When it is no YAML, not UTF-8, too large, too deep, empty, several documents, or no mapping at its
+        top.
     """
     text = _decode(data, file)
     reader = _Reader(file, _events(text, file))
@@ -93,7 +100,7 @@ def read_tree(data: bytes | str, file: str) -> Tree:
 
 
 def read_value(text: str, file: str) -> Any:  # noqa: ANN401  # any plain data
-    """Read a single value as it could stand behind a key, such as `30 mm`, `12` or `{at: femur end, offset: 0 mm}`."""
+    """Read one value as it could stand behind a key: `30 mm`, `12`, `{at: femur end, offset: 0 mm}`."""
     tree = read_tree(f"value: {text}" if text.strip() else "value:", file)
     if tree.problems or list(tree.data) != ["value"]:
         raise DefinitionError(tree.problems or [Problem(file, 0, 0, f"`{text}` is not one value")])
@@ -102,7 +109,9 @@ def read_value(text: str, file: str) -> Any:  # noqa: ANN401  # any plain data
 
 def _decode(data: bytes | str, file: str) -> str:
     if len(data) > MAX_BYTES:
-        message = f"is larger than {MAX_BYTES // 1_000_000} MB; definitions are small: is this the right file?"
+        message = (
+            f"is larger than {MAX_BYTES // 1_000_000} MB; definitions are small: is this the right file?"
+        )
         raise DefinitionError([Problem(file, 0, 0, message)])
     if isinstance(data, str):
         return data.removeprefix("\ufeff")
@@ -136,13 +145,20 @@ def _events(text: str, file: str) -> Iterator[Any]:
 
 def _syntax(error: yaml.MarkedYAMLError, text: str) -> str:
     said = f"{error.context or ''} {error.problem or ''}"
-    line = (text.splitlines() or [""])[min(error.problem_mark.line, text.count("\n"))] if error.problem_mark else ""
-    if "tab" in said or "'\\t'" in said or line.lstrip(" ").startswith("\t"):
+    lines = text.split("\n")
+    number = error.problem_mark.line if error.problem_mark else 0
+    if (
+        "tab character" in said
+        or "'\\t'" in said
+        or "".join(lines[number : number + 1]).lstrip(" ").startswith("\t")
+    ):
         return "a tab cannot indent YAML; use spaces"
     if "alias" in said:
         return f"{error.problem}; name it with & first, or write the value out"
     if "mapping values are not allowed" in said:
         return "a second `:` in one line; is a line break or a pair of quotes missing?"
+    if "cannot start any token" in said:
+        return "a value cannot start like this; put it in quotes"
     if "could not find expected ':'" in said or "expected ':'" in said:
         return "`:` is missing after a key"
     hint = "; check indentation, brackets and quotes here and in the line before"
@@ -165,7 +181,7 @@ class _Reader:
         next(self.events)  # stream start
         event = next(self.events)
         if isinstance(event, yaml.StreamEndEvent):
-            raise self._stop(event, "is empty; a definition starts with its kind, such as `procedure: my-test`")
+            raise self._stop(event, f"is empty; {_START}")
         top = next(self.events)
         data = self._node(top, ())
         next(self.events)  # document end
@@ -173,21 +189,20 @@ class _Reader:
         if not isinstance(event, yaml.StreamEndEvent):
             raise self._stop(event, "a second document starts here (`---`); put it into a file of its own")
         if not isinstance(data, dict):
-            raise self._stop(top, "is not a mapping; a definition starts with its kind, such as `procedure: my-test`")
+            raise self._stop(top, f"is not a mapping; {_START}")
         return Tree(self.file, data, self.values, self.keys, self.problems)
 
     def _stop(self, event: Any, message: str) -> DefinitionError:  # noqa: ANN401  # PyYAML's events are untyped
         return DefinitionError([*self.problems, self._problem(event, message)])
 
     def _problem(self, event: Any, message: str) -> Problem:  # noqa: ANN401  # as above
-        mark = event.start_mark
-        return Problem(self.file, mark.line + 1, mark.column + 1, message)
+        return Problem(self.file, *_place(event), message)
 
     def _node(self, event: Any, steps: Steps) -> Any:  # noqa: ANN401  # as above
         self._count(1, event)
         if len(steps) > MAX_DEPTH:
             raise self._stop(event, f"is nested more than {MAX_DEPTH} levels deep")
-        self.values[steps] = (event.start_mark.line + 1, event.start_mark.column + 1)
+        self.values[steps] = _place(event)
         if isinstance(event, yaml.AliasEvent):
             return self._alias(event)
         if event.tag is not None:
@@ -215,17 +230,15 @@ class _Reader:
             if not isinstance(event, yaml.ScalarEvent):
                 raise self._stop(event, "a key has to be a word")
             self._count(1, event)
-            key, place = event.value, (event.start_mark.line + 1, event.start_mark.column + 1)
-            twice = key in entries
-            if twice:
-                first = self.keys[(*steps, key)][0]
-                self.problems.append(self._problem(event, f"`{key}` stands here twice (first in line {first}); keep one"))
-            path = (*steps, key)
-            if not twice:
-                self.keys[path] = place
-            value = self._node(next(self.events), (*steps, f"{key} (again)") if twice else path)
-            if not twice:
-                entries[key] = value
+            key, path = event.value, (*steps, event.value)
+            if key in entries:
+                first = self.keys[path][0]
+                message = f"`{key}` stands here twice (first in line {first}); keep one"
+                self.problems.append(self._problem(event, message))
+                self._node(next(self.events), (*steps, f"{key} (again)"))
+            else:
+                self.keys[path] = _place(event)
+                entries[key] = self._node(next(self.events), path)
         return entries
 
     def _alias(self, event: Any) -> Any:  # noqa: ANN401  # as above
@@ -238,7 +251,12 @@ class _Reader:
     def _count(self, more: int, event: Any) -> None:  # noqa: ANN401  # as above
         self.nodes += more
         if self.nodes > MAX_NODES:
-            raise self._stop(event, f"holds more than {MAX_NODES} values, counting aliases with all they stand for")
+            message = f"holds more than {MAX_NODES} values, counting aliases with all they stand for"
+            raise self._stop(event, message)
+
+
+def _place(event: Any) -> Place:  # noqa: ANN401  # as above
+    return (event.start_mark.line + 1, event.start_mark.column + 1)
 
 
 def _copy(data: Any) -> Any:  # noqa: ANN401  # any plain data

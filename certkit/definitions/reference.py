@@ -14,7 +14,9 @@ class Reference(Sourced):
 
     reference: Annotated[str, Field(description="Its name.")]
     title: str
-    values: Annotated[dict[str, str], Field(min_length=1, description="Quantity by criterion id, such as `F3: 81 N·m`.")]
+    values: Annotated[
+        dict[str, str], Field(min_length=1, description="Quantity by criterion id, such as `F3: 81 N·m`.")
+    ]
     published: Annotated[
         dict[str, str], Field(description="Another simulation's values beside them, for the same criteria.")
     ] = {}
@@ -23,6 +25,8 @@ class Reference(Sourced):
     def lines(self) -> dict[str, str]:
         """Return each value, with the published simulation's beside it."""
         return {
-            f"values.{name}": f"{value} (published: {self.published[name]})" if name in self.published else value
+            f"values.{name}": f"{value} (published: {self.published[name]})"
+            if name in self.published
+            else value
             for name, value in self.values.items()
         }

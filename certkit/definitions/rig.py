@@ -46,7 +46,7 @@ class Release(Section):
 
 
 class Stopper(Section):
-    """The bar or block that stops the swinging leg: a band of `height` around a point below the knee centre."""
+    """The bar that stops the swinging leg: a band of `height` around a point below the knee centre."""
 
     below_knee_centre: Length
     height: Length
@@ -82,7 +82,7 @@ class Supports(Section):
 
 
 class LoadingRam(Section):
-    """A ram that presses at mid-span in a staircase of force levels, each held until the specimen is at rest."""
+    """A ram that presses at mid-span in a staircase of force levels, each held until all is at rest."""
 
     force: Annotated[Force, Field(description="Highest level.")]
     levels: Annotated[int, Field(ge=1, le=1000)] = 20

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +9,8 @@ from certkit.definitions.faults import Faults, Steps
 from certkit.definitions.shape import Shape, fields
 
 if TYPE_CHECKING:
+    from collections.abc import Collection, Iterator
+
     from pydantic import BaseModel, ValidationError
     from pydantic_core import ErrorDetails
 
@@ -48,19 +49,19 @@ def problems(error: ValidationError, tree: Tree, model: type[BaseModel]) -> list
     """
     details = error.errors(include_url=False)
     misspelt = set(_meant(details, tree, model))
-    found = []
+    found: list[Problem] = []
     for detail in details:
-        steps = _located(detail["loc"], tree.data)
+        steps, last = _located(detail["loc"], tree.data), detail["loc"][-1] if detail["loc"] else ""
         cause = detail.get("ctx", {}).get("error")
         if isinstance(cause, Faults):
             found += [tree.problem(_located((*steps, *way), tree.data), said) for way, said in cause.faults]
         elif detail["type"] == "extra_forbidden":
-            message = f"`{steps[-1]}` is not known here; {suggestion(str(steps[-1]), _known(steps[:-1], model))}"
+            message = f"`{last}` is not known here; {suggestion(str(last), _known(steps[:-1], model))}"
             found.append(tree.problem(steps, message, key=True))
         elif detail["type"] != "missing":
             found.append(tree.problem(steps, _sentence(detail)))
-        elif (*steps, detail["loc"][-1]) not in misspelt:
-            found.append(tree.problem(steps, f"`{detail['loc'][-1]}` is missing{_where(steps)}; add it"))
+        elif (*steps, last) not in misspelt:
+            found.append(tree.problem(steps, f"`{last}` is missing{_where(steps)}; add it"))
     return list(dict.fromkeys(found))
 
 
@@ -86,17 +87,15 @@ def _where(steps: Steps) -> str:
 def _located(loc: Steps, data: Any) -> Steps:  # noqa: ANN401  # raw YAML data
     """Return the part of pydantic's `loc` that exists in the file.
 
-    Steps that pydantic adds (members of unions, the `value` of a number that inherited its origin) exist nowhere.
+    Steps that pydantic adds (members of unions, the `value` of a number that inherited its origin) exist
+    nowhere.
     """
     steps: list[str | int] = []
     for step in loc:
-        if isinstance(data, dict) and step in data:
+        inside = isinstance(data, list) and isinstance(step, int) and step < len(data)
+        if inside or (isinstance(data, dict) and step in data):
             data = data[step]
-        elif isinstance(data, list) and isinstance(step, int) and step < len(data):
-            data = data[step]
-        else:
-            continue
-        steps.append(step)
+            steps.append(step)
     return tuple(steps)
 
 
@@ -110,40 +109,46 @@ def _known(steps: Steps, model: type[BaseModel]) -> list[str]:
     return list(fields(shape.model)) if shape is not None and shape.model is not None else []
 
 
+_WHOLE, _NUMBER, _LIST = (
+    "expected a whole number, not {given}",
+    "expected a number, not {given}",
+    "a list such as [a, b]",
+)
+_SENTENCES = {
+    "string_type": "expected a word, not {given}",
+    "string_too_short": "{given} is too short to name anything",
+    "int_type": _WHOLE,
+    "int_parsing": _WHOLE,
+    "int_from_float": _WHOLE,
+    "float_type": _NUMBER,
+    "float_parsing": _NUMBER,
+    "finite_number": _NUMBER,
+    "bool_type": "expected `true` or `false`, not {given}",
+    "bool_parsing": "expected `true` or `false`, not {given}",
+    "list_type": f"expected {_LIST}, not {{given}}",
+    "tuple_type": f"expected {_LIST}, not {{given}}",
+    "dict_type": "expected keys with values, not {given}",
+    "model_type": "expected keys with values, not {given}",
+    "too_short": "needs at least {min_length} entries and has {actual_length}",
+    "too_long": "has {actual_length} entries; {max_length} are the most",
+    "greater_than": "{given} has to be greater than {gt}",
+    "greater_than_equal": "{given} has to be {ge} or more",
+    "less_than": "{given} has to be less than {lt}",
+    "less_than_equal": "{given} has to be {le} or less",
+    "value_error": "{error}",
+}
+
+
 def _sentence(detail: ErrorDetails) -> str:
     """Say one finding without pydantic's own words."""
     given, context = detail["input"], detail.get("ctx", {})
-    shown = f"`{_short(given)}`"
-    match detail["type"]:
-        case "literal_error":
-            choices = [part.strip("'") for part in context["expected"].replace(" or ", ", ").split(", ")]
-            return f"{shown} is not a choice; {suggestion(str(given), choices)}"
-        case "string_type":
-            return f"expected a word, not {shown}"
-        case "string_too_short":
-            return f"{shown} is too short to name anything"
-        case "int_type" | "int_parsing" | "int_from_float":
-            return f"expected a whole number, not {shown}"
-        case "float_type" | "float_parsing" | "finite_number":
-            return f"expected a number, not {shown}"
-        case "bool_type" | "bool_parsing":
-            return f"expected `true` or `false`, not {shown}"
-        case "list_type" | "tuple_type":
-            return f"expected a list such as [a, b], not {shown}"
-        case "dict_type" | "model_type" | "model_attributes_type":
-            return f"expected keys with values, not {shown}"
-        case "too_short":
-            return f"needs at least {context['min_length']} entries and has {context['actual_length']}"
-        case "too_long":
-            return f"may have {context['max_length']} entries at most"
-        case "greater_than" | "greater_than_equal" | "less_than" | "less_than_equal":
-            relation = detail["type"].replace("_equal", " or equal to").replace("_", " ")
-            limit = next(iter(context.values()))
-            return f"{shown} has to be {relation} {limit}"
-        case "value_error":
-            return str(context["error"])
+    if detail["type"] == "literal_error":
+        choices = [part.strip("'") for part in context["expected"].replace(" or ", ", ").split(", ")]
+        return f"`{_short(given)}` is not a choice; {suggestion(str(given), choices)}"
+    if detail["type"] in _SENTENCES:
+        return _SENTENCES[detail["type"]].format(given=f"`{_short(given)}`", **context)
     message = detail["msg"]
-    return f"{shown}: {message[0].lower()}{message[1:]}"
+    return f"`{_short(given)}`: {message[0].lower()}{message[1:]}"
 
 
 def _short(given: object, limit: int = 60) -> str:

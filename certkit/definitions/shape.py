@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel
@@ -40,7 +40,7 @@ class Shape:
 PLAIN = Shape("plain")
 
 
-def shape_of(annotation: Any, metadata: Iterable[Any] = ()) -> Shape:  # noqa: ANN401  # type annotations of any kind
+def shape_of(annotation: Any, metadata: Iterable[Any] = ()) -> Shape:  # noqa: ANN401  # any annotation
     """Return the shape behind an annotation; `None` beside another type is left out of account."""
     for mark in metadata:
         if isinstance(mark, Dimension):
@@ -58,7 +58,7 @@ def shape_of(annotation: Any, metadata: Iterable[Any] = ()) -> Shape:  # noqa: A
     return next((s for s in map(shape_of, arguments) if s.kind != "plain"), PLAIN)
 
 
-@lru_cache(maxsize=None)
+@cache
 def fields(model: type[BaseModel]) -> dict[str, Shape]:
     """Return the keys that a document knows, as they are written, and what each holds."""
     return {

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
-from certkit.definitions.kinds import Kind
 from certkit.definitions.shipped import shipped_root
 from certkit.definitions.validation import read_bytes
 from certkit.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    from certkit.definitions.kinds import Kind
 
 _NAME = re.compile(r"[^\W_][\w.,()+ -]{0,99}")
 _ENDINGS = (".yaml", ".yml")
@@ -39,7 +42,7 @@ class Shelf(Protocol):
 
 @dataclass(frozen=True)
 class FolderShelf:
-    """A folder laid out like the shipped ones (`procedures/`, `models/legforms/` …), or with the files right in it.
+    """A folder laid out like the shipped ones (`procedures/`, `models/legforms/`), or with the files in it.
 
     Parameters
     ----------

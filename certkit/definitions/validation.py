@@ -62,7 +62,7 @@ def read_document(path: Path, model: type[D]) -> D:
 
 
 def read_bytes(path: Path) -> bytes:
-    """Return a file's bytes, no more than tell that it is too large; a missing or unreadable one becomes a `DefinitionError`."""
+    """Return a file's bytes, no more than show that it is too large; raise `DefinitionError` without them."""
     try:
         with path.open("rb") as stream:
             return stream.read(MAX_BYTES + 1)
