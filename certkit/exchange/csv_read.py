@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 _HEAD = re.compile(r"(.+?)\s*[\[(]([^\])]*)[\])]")
-_REMARK = re.compile(r"#\s*([A-Za-z][A-Za-z ]*?)\s*:\s*(.+)")
+_REMARK = re.compile(r"#\s*([A-Za-z][A-Za-z0-9 ]*?)\s*:\s*(.+)")
 
 
 @dataclass(frozen=True)
