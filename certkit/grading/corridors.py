@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Criterion
     from certkit.grading.measure import Trace
 
-KIND_OF_MEASURE = {"curve in polygon": Polygon, "curve in band": Band}
-_WORDS = {Window: "window", Polygon: "polygon", Band: "band"}
+# What a measure is held against; all others need a window.
+KINDS: dict[str, type[Polygon] | type[Band]] = {"curve in polygon": Polygon, "curve in band": Band}
 
 
 @dataclass(frozen=True)
@@ -72,17 +72,14 @@ def find_corridor(criterion: Criterion, corridors: Mapping[str, CorridorSet]) ->
         return Missing(f"the corridor set `{name}` was not found", required=True)
     if entry_name in found.awaited:
         return Missing(found.awaited[entry_name], required=False)
-    try:
-        entry = found.entry(entry_name)
-    except KeyError:
+    if entry_name not in found.entries:
         return Missing(f"the corridor set `{name}` has no `{entry_name}`", required=True)
-    if entry is None:
-        return Missing("no corridor is known", required=False)
-    wanted = KIND_OF_MEASURE.get(criterion.measure, Window)
+    entry = found.entry(entry_name)
+    wanted = KINDS.get(criterion.measure, Window)
     if not isinstance(entry, wanted):
         raise UsageError(
-            f"criterion {criterion.id}: `{criterion.measure}` needs a {_WORDS[wanted]}, "
-            f"but {criterion.corridor} is a {_WORDS[type(entry)]}"
+            f"criterion {criterion.id}: `{criterion.measure}` needs a {wanted.__name__.lower()}, "
+            f"but {criterion.corridor} is a {type(entry).__name__.lower()}"
         )
     return Corridor(criterion.corridor, entry, entry.source or "", entry.confidence or "estimated")
 

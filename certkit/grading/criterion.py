@@ -9,7 +9,7 @@ import numpy as np
 
 from certkit.definitions.corridor import Band as BandCorridor
 from certkit.definitions.corridor import Polygon, Window
-from certkit.grading.corridors import Corridor, band_lines, find_corridor, limits, polygon_corners
+from certkit.grading.corridors import Corridor, Missing, band_lines, find_corridor, limits, polygon_corners
 from certkit.grading.curves import MOST_POINTS, plane_points
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule, decide
 from certkit.grading.measure import Measured, channel_name
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from certkit.grading.measure import Trace
 
 START_OF_CURVE = 0.1
-"""Share of a curve's largest ordinate below which it does not count for the margin: corridors begin narrow."""
+"""Share of a curve's largest ordinate below which the margin is not taken: corridors begin narrow."""
 COVERED = 0.8
 """Share of a polygon's width or height that a curve has to run through to have been held against it."""
 
@@ -84,15 +84,16 @@ def grade_criterion(criterion: Criterion, measured: Measured, judgement: Judgeme
     UsageError
         When criterion and corridor do not fit together (kinds, channels, units).
     """
-    corridor = find_corridor(criterion, judgement.corridors)
-    known = isinstance(corridor, Corridor)
+    found = find_corridor(criterion, judgement.corridors)
+    corridor = found if isinstance(found, Corridor) else None
+    missing = found if isinstance(found, Missing) else None
     channel = channel_name(criterion.curve.y if criterion.curve is not None else criterion.channel or "")
     common: dict[str, Any] = {
         "id": criterion.id,
         "title": criterion.title,
-        "graded": corridor.required if not known else True,
-        "confidence": corridor.confidence if known else None,
-        "source": corridor.source if known else "",
+        "graded": missing is None or missing.required,
+        "confidence": None if corridor is None else corridor.confidence,
+        "source": "" if corridor is None else corridor.source,
         "corridor": criterion.corridor or "",
         "channel": channel,
         "measure": criterion.measure,
@@ -104,7 +105,7 @@ def grade_criterion(criterion: Criterion, measured: Measured, judgement: Judgeme
         return CriterionResult(
             value=None, unit=unit, verdict="not evaluated", reason=measured.reason, **common
         )
-    held = _hold(criterion, measured, dimension, corridor if known else None)
+    held = _hold(criterion, measured, dimension, corridor)
     scale = dimension.scale
     uncertainty = Uncertainty(
         numerical=judgement.numerical.get(criterion.id),
@@ -117,8 +118,8 @@ def grade_criterion(criterion: Criterion, measured: Measured, judgement: Judgeme
         **held.pictures,
         **common,
     }
-    if not known or held.value is None:
-        reason = held.reason or ("" if known else corridor.reason)
+    if missing is not None or held.value is None:
+        reason = held.reason or ("" if missing is None else missing.reason)
         given = uncertainty if uncertainty != Uncertainty() else None
         return CriterionResult(verdict="not evaluated", reason=reason, uncertainty=given, **shown)
     decision = decide(judgement.rule, held.value, held.lower, held.upper, judgement.expanded.get(channel))
@@ -131,7 +132,8 @@ def grade_criterion(criterion: Criterion, measured: Measured, judgement: Judgeme
         and margin < uncertainty.numerical
     ):
         verdict = "conditional"
-        reason = f"nearer to its limit than its numerical uncertainty of {uncertainty.numerical:.2g} {dimension.unit}"
+        doubt = f"{uncertainty.numerical:.2g} {dimension.unit}"
+        reason = f"nearer to its limit than its numerical uncertainty of {doubt}"
     uncertainty = uncertainty.model_copy(
         update={"guard_band": _scaled(decision.guard_band, scale), "false_accept": decision.false_accept}
     )
@@ -151,7 +153,7 @@ def _scaled(value: float | None, scale: float) -> float | None:
 
 
 def _hold(criterion: Criterion, measured: Measured, dimension: Dimension, corridor: Corridor | None) -> _Held:
-    """Bring value and limits together; for whole curves the value is the distance to the border and the limit 0."""
+    """Bring value and limits together; a whole curve's value is its distance to the border, the limit 0."""
     entry = None if corridor is None else corridor.entry
     trace = measured.trace
     if trace is None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -139,7 +139,9 @@ def recording_of(result: Result) -> Recording:
         values = np.array(series.values) / dimension.scale
         seen = "" if series.filter == "none" else series.filter
         channels[name] = Channel(name, series.title, dimension, values, filtered=seen)
-    kind = "simulated" if result.kind == "virtual certification" else "measured"
+    kind: Literal["simulated", "measured"] = (
+        "simulated" if result.kind == "virtual certification" else "measured"
+    )
     time = carried.start + carried.interval * np.arange(carried.count, dtype=np.float64)
     return Recording(kind, time, channels, conditions=dict(result.conditions), source=result.procedure)
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING
 
 from pydantic import ValidationError
 
 from certkit.errors import DataError
 from certkit.files import write_whole
-from certkit.grading.result import Result
+from certkit.grading.result import Part, Result
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -26,18 +25,14 @@ def to_json(result: Result) -> str:
     channels.
     """
     lines = []
-    for name, part in json.loads(result.model_dump_json()).items():
-        key = json.dumps(name)
-        if isinstance(part, list) and part and isinstance(part[0], dict):
-            rows = ",\n".join(f"    {_compact(row)}" for row in part)
-            lines.append(f"  {key}: [\n{rows}\n  ]")
+    for name in Result.model_fields:
+        part = getattr(result, name)
+        if isinstance(part, list) and part and isinstance(part[0], Part):
+            rows = ",\n".join(f"    {row.model_dump_json()}" for row in part)
+            lines.append(f'  "{name}": [\n{rows}\n  ]')
         else:
-            lines.append(f"  {key}: {_compact(part)}")
+            lines.append(f"  {result.model_dump_json(include={name})[1:-1]}")
     return "{\n" + ",\n".join(lines) + "\n}\n"
-
-
-def _compact(part: object) -> str:
-    return json.dumps(part, ensure_ascii=False, separators=(", ", ": "))
 
 
 def from_json(text: str | bytes, name: str = "result.json") -> Result:

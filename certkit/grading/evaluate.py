@@ -160,7 +160,7 @@ def evaluate(  # noqa: PLR0913  # everything that a result carries comes in here
 
 
 def criterion_values(procedure: Procedure, recording: Recording) -> dict[str, float | None]:
-    """Return the procedure's values alone, in the units at the borders, by criterion id: what a refined run is compared by.
+    """Return the values alone, in the units at the borders, by criterion id: refined runs are compared by it.
 
     For whole curves it is the largest ordinate.
     """
@@ -189,7 +189,7 @@ def overall(
 
 def _take(procedure: Procedure, recording: Recording) -> _Taken:
     """Filter and measure."""
-    wanted = [(name, c.filter) for c in procedure.criteria for name in _channels(c)]
+    wanted: list[tuple[str, str]] = [(name, c.filter) for c in procedure.criteria for name in _channels(c)]
     needs_interval = any(c.interval == "assessment interval" for c in procedure.criteria)
     if needs_interval:
         wanted += [(name, INTERVAL_FILTER) for name in BONE_CHANNELS]

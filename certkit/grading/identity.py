@@ -3,27 +3,23 @@
 from __future__ import annotations
 
 import hashlib
-import json
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from certkit.grading.result import Result
 
+LEFT_OUT: dict[str, bool | set[str]] = {"id": True, "quality": {"solver_seconds"}, "provenance": {"packages"}}
 LENGTH = 16
 GROUP = 4
 
 
 def canonical(result: Result) -> bytes:
-    """Return the bytes that are hashed: the JSON with sorted keys, without id, solver time and package versions.
+    """Return the bytes that are hashed: JSON in the schema's order, without what depends on clock or machine.
 
-    Two runs with the same inputs and the same version of certkit have the same bytes.
+    Left out are the id itself, the solver's time and the versions of other packages. Two runs with the same
+    inputs and the same version of certkit have the same bytes.
     """
-    tree: dict[str, Any] = json.loads(result.model_dump_json())
-    del tree["id"]
-    del tree["provenance"]["packages"]
-    if tree["quality"] is not None:
-        del tree["quality"]["solver_seconds"]
-    return json.dumps(tree, sort_keys=True, ensure_ascii=False, separators=(",", ":")).encode()
+    return result.model_dump_json(exclude=LEFT_OUT).encode()
 
 
 def certificate_id(result: Result) -> str:

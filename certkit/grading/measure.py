@@ -27,12 +27,12 @@ if TYPE_CHECKING:
 WRITTEN_AS = {"elongation": "length", "displacement": "length"}
 
 REACHED = 1e-9
-"""A level counts as reached this much (relative) below it: a relaxed load level is never met to the last bit."""
+"""A level counts as reached this much (relative) below it: a relaxed load is never met to the last bit."""
 
 
 @dataclass(frozen=True)
 class Trace:
-    """The samples that a criterion is measured on: abscissa and ordinate with their channels' titles and units.
+    """The samples that a criterion is measured on: abscissa and ordinate with their titles and units.
 
     Over time, `x` is the time and `x_dimension` is TIME.
     """
@@ -177,7 +177,7 @@ def _trace(criterion: Criterion, filtered: Filtered, window: Window) -> Trace:
     values = filtered.values(name, criterion.filter)
     if not inside.any():
         raise DataError(
-            f"nothing was recorded between {window.start * 1e3:.6g} and {window.end * 1e3:.6g} ms after contact"
+            f"nothing was recorded from {window.start * 1e3:.6g} to {window.end * 1e3:.6g} ms after contact"
         )
     y = filtered.recording[name]
     if criterion.curve is None:

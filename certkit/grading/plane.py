@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 BETWEEN = 8
 """Points looked at on each straight piece between two samples, so that a corner cannot hide there."""
 ON_THE_LINE = 1e-9
-"""Share of the corridor's size within which a point lies on its border, and a border belongs to the corridor."""
+"""Share of the corridor's size within which a point lies on its border; a border belongs to the corridor."""
 
 
 def refined(
@@ -72,7 +72,8 @@ def polygon_distance(
         if across.any():
             inside[across] ^= px[across] < ax + (py[across] - ay) / dy * dx
     nearest[nearest <= ON_THE_LINE] = 0.0
-    return np.where(inside, nearest, -nearest) * size[1]
+    signed: NDArray[np.float64] = np.where(inside, nearest, -nearest) * size[1]
+    return signed
 
 
 def band_distance(
@@ -81,7 +82,7 @@ def band_distance(
     lower: NDArray[np.float64] | None,
     upper: NDArray[np.float64] | None,
 ) -> NDArray[np.float64]:
-    """Return how far each sample lies inside a corridor over time; infinite where the corridor does not reach.
+    """Return how far each sample lies inside a corridor over time; infinite where it does not reach.
 
     Parameters
     ----------

@@ -63,7 +63,7 @@ def numerical_uncertainty(values: Sequence[float]) -> float:
             observed = math.log2(abs(first) / abs(second))
             if observed >= LOWEST_ORDER:
                 factor, order = SAFETY_OBSERVED, min(observed, FORMAL_ORDER)
-    growth = 2.0**order
+    growth = math.pow(2.0, order)
     return factor * abs(first) * growth / (growth - 1.0)
 
 

@@ -40,7 +40,7 @@ def rounded_all(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
     import numpy as np  # noqa: PLC0415  # words and numbers are read without it
 
     given = np.asarray(values, dtype=np.float64)
-    # A whole number divided by a power of ten up to 1e22 is the nearest double to the decimal, so it prints short.
+    # A whole number over a power of ten up to 1e22 is the nearest double to the decimal, so it prints short.
     size = np.abs(given)
     plain = (size < 1e-15) | (size > 1e15) | ~np.isfinite(size)
     exponent = SIGNIFICANT_DIGITS - 1 - np.floor(np.log10(np.where(plain, 1.0, size)))
@@ -238,7 +238,7 @@ class Shape(Part):
 
 
 class Motion(Part):
-    """The test as a moving picture. Frame f, shape s: (x, z, angle) = `poses[f][s]`; `moments[f][j]` colours the joints."""
+    """The moving picture. Shape s in frame f: (x, z, angle) = `poses[f][s]`; `moments[f]` its colours."""
 
     times: Figures
     shapes: list[Shape]

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 POSITIVE_CHANNELS = ("T1", "T2", "T3", "T4", "MCL")
-"""Positive in pendulum and inverse tests: the impact side of the tibia is in compression, the MCL gets longer.
+"""Positive in pendulum and inverse tests: the tibia's impact side is in compression, the MCL gets longer.
 
 Femur moments may have either sign there (inertia bends the femur back) and ACL and PCL are small, so they
 are not checked.
