@@ -1,6 +1,7 @@
 """A family of legs: many sets of numbers for one legform, each of which passes the certification tests.
 
-The tests do not determine the leg. A prediction over a family says how much of a value is the leg's own freedom.
+The tests do not determine the leg. A prediction over a family says how much of a value is the leg's own
+freedom.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ class Member(Document):
 
 
 class Family(Section):
-    """Legs that all pass the same procedures, as overrides of one base legform. `origin` covers their numbers."""
+    """Legs that all pass the same procedures, each as changes of one base legform."""
 
     family: Annotated[str, Field(description="Its name: by custom the base legform's.")]
     title: str

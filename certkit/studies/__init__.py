@@ -1,0 +1,1 @@
+"""Many runs: sweeps, sensitivity, scatter, optimisation, calibration and the family of legs."""

@@ -1,0 +1,203 @@
+"""Where runs are done: in this process, in processes of this machine, or on a Dask cluster.
+
+The numbers are the same everywhere.
+Each pool hands back finished runs as they come and keeps a bounded number of them in flight, so that a
+million points need no more memory than a hundred.
+"""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from importlib import import_module
+from itertools import islice
+from multiprocessing import get_context
+from typing import TYPE_CHECKING, Any, Protocol
+
+from certkit.errors import UsageError
+from certkit.studies import worker
+from certkit.studies.points import Evaluate, Outcome, attempt
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from certkit.studies.worker import Done, Task
+
+CHUNK_SECONDS = 0.05
+"""Chunks grow until they last this long: it hides their transport, and little is lost when killed."""
+
+MAX_CHUNK = 64
+IN_FLIGHT = 2  # chunks a worker: one at work, one waiting
+DIED = "the process that ran it died; out of memory?"
+
+
+class Pool(Protocol):
+    """A place where runs are done; it stays warm between batches."""
+
+    def run(self, tasks: Iterable[Task]) -> Iterator[Done]:
+        """Yield every task's index and outcome, in the order in which they finish."""
+        ...
+
+    def close(self) -> None:
+        """Send the workers home."""
+        ...
+
+
+class Here:
+    """No workers: one run after the other in this very process."""
+
+    def __init__(self, evaluate: Evaluate) -> None:
+        """Keep what one run is."""
+        self._evaluate = evaluate
+
+    def run(self, tasks: Iterable[Task]) -> Iterator[Done]:
+        """Yield outcomes in the order of the tasks."""
+        for index, point in tasks:
+            yield index, attempt(self._evaluate, point)
+
+    def close(self) -> None:
+        """Do nothing: there is nobody to send home."""
+
+
+class Processes:
+    """Workers on this machine, started once.
+
+    A run that kills its worker costs only its own row: the pool is started again, and what was in flight is
+    done one by one, so that the culprit is found.
+    """
+
+    def __init__(self, evaluate: Evaluate, count: int) -> None:
+        """Keep what one run is; the workers start with the first batch."""
+        self._evaluate = evaluate
+        self._count = count
+        self._pool: ProcessPoolExecutor | None = None
+
+    def run(self, tasks: Iterable[Task]) -> Iterator[Done]:
+        """Yield outcomes as they come."""
+        source = Chunks(tasks)
+        flying: dict[Future[tuple[list[Done], float]], list[Task]] = {}
+        while True:
+            pool = self._pool = self._pool or self._start(self._count)
+            suspects: list[Task] = []
+            for chunk in islice(source, IN_FLIGHT * self._count - len(flying)):
+                try:
+                    flying[pool.submit(worker.work, chunk)] = chunk
+                except BrokenProcessPool:
+                    suspects += chunk
+            if not flying and not suspects:
+                return
+            for future in wait(flying, return_when=FIRST_COMPLETED).done if flying else ():
+                chunk = flying.pop(future)
+                try:
+                    done, seconds = future.result()
+                except BrokenProcessPool:
+                    suspects += chunk
+                else:
+                    source.learn(len(chunk), seconds)
+                    yield from done
+            if suspects:
+                suspects += [task for chunk in flying.values() for task in chunk]
+                flying.clear()
+                self.close()
+                yield from self._one_by_one(suspects)
+
+    def close(self) -> None:
+        """Drop what is still waiting and end the workers."""
+        if self._pool:
+            self._pool.shutdown(wait=True, cancel_futures=True)
+        self._pool = None
+
+    def _start(self, count: int) -> ProcessPoolExecutor:
+        # A server that has imported everything and started nothing forks the workers: as quick as a fork of
+        # this process, and safe beside the threads it may have.
+        context = get_context("forkserver")
+        context.set_forkserver_preload(["certkit.studies.worker", type(self._evaluate).__module__])
+        return ProcessPoolExecutor(
+            count, mp_context=context, initializer=worker.arrive, initargs=(self._evaluate,)
+        )
+
+    def _one_by_one(self, suspects: list[Task]) -> Iterator[Done]:
+        for task in sorted(suspects, key=lambda task: task[0]):
+            with self._start(1) as pool:
+                try:
+                    done, _ = pool.submit(worker.work, [task]).result()
+                except BrokenProcessPool:
+                    done = [(task[0], Outcome({}, DIED))]
+            yield from done
+
+
+class Cluster:
+    """The Dask cluster whose scheduler listens at an address.
+
+    A worker that dies in the middle loses nothing: Dask does its runs again elsewhere.
+
+    Raises
+    ------
+    UsageError
+        When dask.distributed is not installed or nobody answers at the address.
+    """
+
+    def __init__(self, evaluate: Evaluate, address: str) -> None:
+        """Connect, and hand the evaluation to every worker."""
+        try:
+            self._dask: Any = import_module("distributed")  # an extra, and 0.5 s
+        except ImportError:
+            raise UsageError("`--cluster` needs Dask: pip install 'certkit[cluster]'") from None
+        try:
+            self._client: Any = self._dask.Client(address, timeout="10s", set_as_default=False)
+        except (OSError, TimeoutError, ValueError) as error:
+            raise UsageError(f"no Dask scheduler answers at `{address}`: {error}") from None
+        self._evaluate = self._client.scatter(evaluate, broadcast=True)
+
+    def run(self, tasks: Iterable[Task]) -> Iterator[Done]:
+        """Yield outcomes as they come."""
+        source = Chunks(tasks)
+        chunks: dict[str, list[Task]] = {}
+        flying = self._dask.as_completed(loop=self._client.loop)
+        while True:
+            threads = sum(self._client.nthreads().values())
+            for chunk in islice(source, max(1, IN_FLIGHT * threads - len(chunks))):
+                future = self._client.submit(worker.work_with, self._evaluate, chunk, pure=False)
+                chunks[future.key] = chunk
+                flying.add(future)
+            if not chunks:
+                return
+            future = next(flying)
+            chunk = chunks.pop(future.key)
+            try:
+                done, seconds = future.result()
+            except self._dask.KilledWorker:
+                yield from ((index, Outcome({}, DIED)) for index, _ in chunk)
+            else:
+                source.learn(len(chunk), seconds)
+                yield from done
+
+    def close(self) -> None:
+        """Leave the cluster; it is not ours to end."""
+        self._client.close()
+
+
+class Chunks:
+    """Cuts tasks into chunks that last about `CHUNK_SECONDS`, by what earlier chunks took."""
+
+    def __init__(self, tasks: Iterable[Task]) -> None:
+        """Start with single runs."""
+        self._tasks = iter(tasks)
+        self._size = 1
+
+    def __iter__(self) -> Iterator[list[Task]]:
+        """Go on where the last iteration stopped."""
+        while chunk := list(islice(self._tasks, self._size)):
+            yield chunk
+
+    def learn(self, runs: int, seconds: float) -> None:
+        """Take note of how long a chunk of `runs` took."""
+        wanted = CHUNK_SECONDS * runs / max(seconds, 1e-6)
+        self._size = max(1, min(MAX_CHUNK, 2 * self._size, int(wanted)))
+
+
+def available_processes() -> int:
+    """Return the number of cores this process may use."""
+    affinity: Any = getattr(os, "sched_getaffinity", None)
+    return len(affinity(0)) if affinity else os.cpu_count() or 1

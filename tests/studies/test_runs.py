@@ -1,0 +1,160 @@
+"""Many runs: each done once, in any number of processes, with the same numbers."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+from typing import TYPE_CHECKING
+
+import pytest
+import toys
+
+from certkit.errors import UsageError
+from certkit.studies.journal import Journal
+from certkit.studies.points import key_of
+from certkit.studies.pools import DIED, Chunks
+from certkit.studies.runs import Runs
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+POINTS = [{"a": i / 7, "b": (-1.0) ** i} for i in range(100)]
+
+
+def test_two_processes_give_the_bits_of_one() -> None:
+    with Runs(toys.wave, processes=1) as one, Runs(toys.wave, processes=2) as two:
+        assert one(POINTS) == two(POINTS)
+
+
+def test_a_failed_run_is_a_row_with_its_error() -> None:
+    with Runs(toys.fussy, processes=1) as runs:
+        good, bad = runs([{"a": 1.0}, {"a": -1.0}])
+    assert good.outputs == {"root": 1.0}
+    assert not good.error
+    assert bad.outputs == {}
+    assert "ValueError" in bad.error
+
+
+def test_what_is_no_number_is_none_before_and_after_the_journal(tmp_path: Path) -> None:
+    with Runs(toys.nothing, journal=tmp_path / "j", processes=1) as runs:
+        first = runs([{"a": 1.0}])
+    with Runs(toys.nothing, journal=tmp_path / "j", processes=1) as runs:
+        again = runs([{"a": 1.0}])
+        assert runs.done_here == 0
+    assert first == again
+    assert first[0].outputs == {"nan": None, "inf": None, "word": "pass"}
+
+
+def test_the_same_point_is_done_once() -> None:
+    with Runs(toys.wave, processes=1) as runs:
+        first, second = runs([{"a": 0.1, "b": 2.0}, {"b": 2.0, "a": 0.1}])
+        assert runs.done_here == 1
+    assert first == second
+
+
+def test_a_run_that_kills_its_worker_costs_only_its_own_row() -> None:
+    points = [{"a": float(i)} for i in range(12)]
+    with Runs(toys.deadly, processes=2) as runs:
+        outcomes = runs(points)
+    assert [o.error for o in outcomes] == [DIED if i == 5 else "" for i in range(12)]
+    assert [o.outputs.get("twice") for o in outcomes if not o.error] == [2.0 * i for i in range(12) if i != 5]
+
+
+def test_progress_tells_what_is_done_and_what_failed() -> None:
+    told: list[tuple[int, int, int]] = []
+    with Runs(toys.fussy, processes=1, progress=lambda *now: told.append(now)) as runs:
+        runs([{"a": 1.0}, {"a": -1.0}, {"a": 1.0}])
+    assert told[0] == (0, 3, 0)
+    assert told[-1] == (3, 3, 1)
+
+
+def test_a_torn_line_is_cut_off_and_its_run_done_again(tmp_path: Path) -> None:
+    path = tmp_path / "runs.jsonl"
+    with Runs(toys.wave, journal=path, processes=1) as runs:
+        whole = runs(POINTS[:3])
+    text = path.read_bytes()
+    path.write_bytes(text[:-20])
+    with Runs(toys.wave, journal=path, processes=1) as runs:
+        assert runs(POINTS[:3]) == whole
+        assert runs.done_here == 1
+    assert path.read_bytes() == text
+
+
+def test_two_processes_cannot_write_one_journal(tmp_path: Path) -> None:
+    with Journal(tmp_path / "j"), pytest.raises(UsageError, match="another certkit"):
+        Journal(tmp_path / "j")
+
+
+def test_a_key_depends_on_every_bit_and_not_on_the_order() -> None:
+    assert key_of("c", {"a": 0.1, "b": 1.0}) == key_of("c", {"b": 1.0, "a": 0.1})
+    assert key_of("c", {"a": 0.1}) != key_of("c", {"a": math.nextafter(0.1, 1)})
+    assert key_of("c", {"a": 0.1}) != key_of("d", {"a": 0.1})
+
+
+def test_chunks_grow_for_quick_runs_and_stay_single_for_slow_ones() -> None:
+    def sizes(seconds: float) -> list[int]:
+        chunks = Chunks((i, {}) for i in range(400))
+        seen = []
+        for _ in range(8):
+            size = len(next(iter(chunks)))
+            chunks.learn(size, seconds * size)
+            seen.append(size)
+        return seen
+
+    assert sizes(1e-5) == [1, 2, 4, 8, 16, 32, 64, 64]
+    assert sizes(0.1) == [1] * 8
+
+
+def test_killed_and_resumed_no_run_is_missing_and_none_is_done_twice(tmp_path: Path) -> None:
+    """A parent killed with SIGKILL leaves its journal and no orphans; the next one does only the rest."""
+    script = (
+        "import sys; sys.path.insert(0, sys.argv[1]); import toys; from pathlib import Path\n"
+        "from certkit.studies.runs import Runs\n"
+        "def main():\n"
+        "    counted, journal = toys.Counted(sys.argv[2]), Path(sys.argv[2]) / 'runs.jsonl'\n"
+        "    with Runs(counted, journal=journal, processes=2) as runs:\n"
+        "        print(len(runs([{'a': float(i)} for i in range(60)])))\n"
+        "if __name__ == '__main__': main()\n"
+    )
+    program = tmp_path / "program.py"
+    program.write_text(script)
+    command = [sys.executable, str(program), os.path.dirname(toys.__file__), str(tmp_path)]  # noqa: PTH120  # argv
+    journal = tmp_path / "runs.jsonl"
+    first = subprocess.Popen(command)
+    while not journal.exists() or journal.read_bytes().count(b"\n") < 20:
+        time.sleep(0.01)
+    first.send_signal(signal.SIGKILL)
+    first.wait()
+    recorded = journal.read_bytes().count(b"\n")
+    assert 20 <= recorded < 60
+    subprocess.run(command, check=True)
+    keys = [json.loads(line)["key"] for line in journal.read_text().splitlines()]
+    assert len(keys) == len(set(keys)) == 60
+    # What was in flight when the parent died may have been begun twice, nothing else.
+    begun = sum(1 for _ in tmp_path.glob("begun-*"))
+    assert 60 <= begun <= 60 + 4
+
+
+def test_a_dask_cluster_gives_the_same_table_and_outlives_a_worker() -> None:
+    distributed = pytest.importorskip("distributed")
+    with Runs(toys.slow_wave, processes=1) as here:
+        expected = here(POINTS[:40])
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        victim = next(iter(cluster.workers.values()))
+        with Runs(toys.slow_wave, cluster=cluster.scheduler_address) as there:
+            there.progress = lambda done, *_: os.kill(victim.pid, signal.SIGKILL) if done == 10 else None
+            assert there(POINTS[:40]) == expected
+
+
+def test_nobody_at_the_address_is_said_so() -> None:
+    pytest.importorskip("distributed")
+    with (
+        Runs(toys.wave, cluster="tcp://127.0.0.1:9") as runs,
+        pytest.raises(UsageError, match="no Dask scheduler"),
+    ):
+        runs(POINTS[:2])
