@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from certkit.definitions.procedure import MEASURES, Criterion
 from certkit.definitions.quantities import parse_quantity
 from certkit.definitions.sentences import suggestion
+from certkit.definitions.shape import fields
 from certkit.definitions.vocabulary import CHANNELS, channel_kind
 
 if TYPE_CHECKING:
@@ -147,7 +149,9 @@ def _criteria(criteria: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML d
 
 def _criterion(criterion: dict[str, Any]) -> Iterator[Finding]:
     measure, channel, curve = (criterion.get(key) for key in ("measure", "channel", "curve"))
-    if isinstance(measure, str):
+    if measure in MEASURES and not set(criterion) - set(
+        fields(Criterion)
+    ):  # else what is missing is misspelt
         drawn = measure == "curve in polygon"
         if drawn and curve is None:
             yield ("measure",), "`curve in polygon` needs a `curve: {x: …, y: …}` of two channels"

@@ -39,6 +39,11 @@ class Kind:
     checks: str = ""
 
     @property
+    def noun(self) -> str:
+        """Return what one such definition is called in a sentence."""
+        return "corridor set" if self.word == "corridors" else self.word
+
+    @property
     def model(self) -> type[BaseModel]:
         """Return the document's class."""
         return cast("type[BaseModel]", _named(self.home))

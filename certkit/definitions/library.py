@@ -20,7 +20,7 @@ from certkit.definitions.reader import read_tree
 from certkit.definitions.sentences import suggestion
 from certkit.definitions.shelves import FolderShelf, Found, Shelf, shipped_shelf
 from certkit.definitions.validation import read_bytes, validate
-from certkit.errors import UsageError
+from certkit.errors import DefinitionError, UsageError
 
 if TYPE_CHECKING:
     from certkit.definitions.corridor import CorridorSet
@@ -122,10 +122,12 @@ def load(
 
 def parse(kind: Kind, found: Found, overrides: Sequence[str] = ()) -> Loaded[BaseModel]:
     """Read a found definition; see `load`."""
-    tree = read_tree(found.data, found.label)
     model = kind.model
-    tree, changes = change(tree, overrides, model)
+    tree, changes = change(read_tree(found.data, found.file), overrides, model)
     document = validate(tree, model, kind.check)
+    if found.name is not None and getattr(document, kind.word) != found.name:
+        message = f"the file is called `{found.name}`, so its `{kind.word}` has to be `{found.name}` too"
+        raise DefinitionError([tree.problem((kind.word,), message)])
     return Loaded(
         kind=kind.word,
         name=getattr(document, kind.word),
@@ -141,7 +143,7 @@ def find(kind: Kind, name: str | Path, library: Library = ()) -> Found:
     """Find a definition's file without reading it into a document; see `load`."""
     path = Path(name)
     if isinstance(name, Path) or path.suffix in {".yaml", ".yml"} or len(path.parts) > 1:
-        return Found(_shown(path), read_bytes(path))
+        return Found(_shown(path), read_bytes(path), str(path))
     shelves = search_order(library)
     for shelf in shelves:
         found = shelf.find(kind, str(name))
@@ -149,7 +151,7 @@ def find(kind: Kind, name: str | Path, library: Library = ()) -> Found:
             return found
     names = {known for shelf in shelves for known in shelf.names(kind)}
     hint = f"; to read the file, write ./{name}" if path.exists() else ""
-    raise UsageError(f"there is no {kind.word} `{name}`; {suggestion(str(name), names)}{hint}")
+    raise UsageError(f"there is no {kind.noun} `{name}`; {suggestion(str(name), names)}{hint}")
 
 
 def search_order(library: Library = ()) -> list[Shelf]:

@@ -22,6 +22,18 @@ Confidence = Literal["verified", "recalled", "derived", "calibrated", "estimated
 
 CONFIDENCES: tuple[str, ...] = get_args(Confidence)
 
+NEVER_ZERO = frozenset({"mass", "inertia", "bending stiffness"})
+NEVER_NEGATIVE = NEVER_ZERO | {
+    "damping",
+    "foundation stiffness",
+    "frequency",
+    "line load",
+    "pressure",
+    "rotational damping",
+    "rotational stiffness",
+    "stiffness",
+}
+
 MIN_SOURCE = 3  # letters; less names nothing
 
 
@@ -89,6 +101,10 @@ class Dimension:
                 number = parse_quantity(value, self.name)
             except ValueError as error:
                 faults.append((("value",), str(error)))
+            if number < 0 and self.name in NEVER_NEGATIVE:
+                faults.append((("value",), f"`{value}` is negative; a {self.name} is not"))
+            if number == 0 and self.name in NEVER_ZERO:
+                faults.append((("value",), f"`{value}`: a {self.name} is greater than zero"))
         if not isinstance(source, str) or len(source) < MIN_SOURCE:
             faults.append(
                 (("source",), "`source` has to name the text, test or fit that the number comes from")

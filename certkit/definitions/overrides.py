@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.reader import Tree, read_value
-from certkit.definitions.sentences import plain, suggestion
+from certkit.definitions.sentences import nearest, plain, suggestion
 from certkit.definitions.shape import Shape, fields
 from certkit.errors import UsageError
 
@@ -136,8 +136,10 @@ def _find(path: str, data: Any, model: type[BaseModel]) -> _Spot:  # noqa: ANN40
         below = _below(data, shape)
         fitting = [name for name in below if rest == plain(name) or rest.startswith(f"{plain(name)}.")]
         if not fitting:
-            choices = list(known_paths(top, Shape("document", model=model)))
-            raise UsageError(f"`--set {path}`: there is no such value; {suggestion(path, choices)}")
+            near = nearest(path, list(known_paths(top, Shape("document", model=model))))
+            there = [".".join([*words, name]) for name in below]
+            hint = f"did you mean `{near}`?" if near else suggestion(path, there)
+            raise UsageError(f"`--set {path}`: there is no such value; {hint}")
         name = max(fitting, key=len)
         if shape.model is not None and set(ORIGIN) <= set(fields(shape.model)):
             sourced = tuple(steps)

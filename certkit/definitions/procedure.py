@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import Field, model_validator
 
@@ -65,6 +65,7 @@ class At(Document):
 
 Filter = Literal["none", "CFC 60", "CFC 180", "CFC 600", "CFC 1000"]
 Measure = Literal["max", "min", "max abs", "value at", "time of max", "curve in polygon", "curve in band"]
+MEASURES: tuple[str, ...] = get_args(Measure)
 
 
 class Criterion(Document):

@@ -101,10 +101,16 @@ def read_tree(data: bytes | str, file: str) -> Tree:
 
 def read_value(text: str, file: str) -> Any:  # noqa: ANN401  # any plain data
     """Read one value as it could stand behind a key: `30 mm`, `12`, `{at: femur end, offset: 0 mm}`."""
-    tree = read_tree(f"value: {text}" if text.strip() else "value:", file)
-    if tree.problems or list(tree.data) != ["value"]:
-        raise DefinitionError(tree.problems or [Problem(file, 0, 0, f"`{text}` is not one value")])
-    return tree.data["value"]
+    try:
+        tree = read_tree(f"value: {text}", file)
+    except DefinitionError as error:
+        found = error.problems
+    else:
+        if not tree.problems and list(tree.data) == ["value"]:
+            return tree.data["value"]
+        found = tree.problems
+    message = found[0].message if found else f"`{text}` is not one value"
+    raise DefinitionError([Problem(file, 0, 0, message)])
 
 
 def _decode(data: bytes | str, file: str) -> str:

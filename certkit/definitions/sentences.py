@@ -32,7 +32,7 @@ def suggestion(word: str, choices: Collection[str], *, shown: int = 12) -> str:
         return f"did you mean `{near}`?"
     names = sorted(choices)
     rest = f" and {len(names) - shown} more" if len(names) > shown else ""
-    return f"known: {', '.join(names[:shown])}{rest}" if names else "nothing is known there"
+    return f"known: {', '.join(names[:shown])}{rest}" if names else "none is known"
 
 
 def problems(error: ValidationError, tree: Tree, model: type[BaseModel]) -> list[Problem]:

@@ -22,10 +22,24 @@ _ENDINGS = (".yaml", ".yml")
 
 @dataclass(frozen=True)
 class Found:
-    """A definition's bytes and what it is called in messages and results."""
+    """A definition as found.
+
+    Parameters
+    ----------
+    label : str
+        What it is called in results; never an absolute path.
+    data : bytes
+        The file.
+    file : str
+        What it is called in messages: as the user named it.
+    name : str, optional
+        The name that it was found by, which it has to have; any name will do where it was found by its path.
+    """
 
     label: str
     data: bytes
+    file: str
+    name: str | None = None
 
 
 class Shelf(Protocol):
@@ -62,7 +76,7 @@ class FolderShelf:
             for ending in _ENDINGS:
                 path = place / f"{name}{ending}"
                 if path.is_file() and _is_of(kind, path):
-                    return Found(self._label(path), read_bytes(path))
+                    return Found(self._label(path), read_bytes(path), self._file(path), name)
         return None
 
     def names(self, kind: Kind) -> list[str]:
@@ -79,6 +93,9 @@ class FolderShelf:
     def _places(self, kind: Kind) -> list[Path]:
         return [self.folder / kind.folder, self.folder] if kind.folder else []
 
+    def _file(self, path: Path) -> str:
+        return self._label(path) if self.label == "" else str(path)
+
     def _label(self, path: Path) -> str:
         inside = path.relative_to(self.folder).as_posix()
         return inside if self.label == "" else f"{self.label or self.folder}/{inside}"
@@ -93,7 +110,8 @@ class TextShelf:
     def find(self, kind: Kind, name: str) -> Found | None:
         """Return the text of that kind and name."""
         text = self.texts.get((kind.word, name))
-        return None if text is None else Found(f"{kind.folder}/{name}.yaml", text.encode())
+        label = f"{kind.folder}/{name}.yaml"
+        return None if text is None else Found(label, text.encode(), label, name)
 
     def names(self, kind: Kind) -> list[str]:
         """Return the names of all texts of a kind."""
@@ -114,7 +132,7 @@ def check_name(kind: Kind, name: str) -> None:
         When it is no plain name.
     """
     if not _NAME.fullmatch(name) or ".." in name:
-        raise UsageError(f"`{name}` is no name of a {kind.word}; use letters, digits, spaces, `-`, `.`")
+        raise UsageError(f"`{name}` is no name of a {kind.noun}; use letters, digits, spaces, `-`, `.`")
 
 
 def _is_of(kind: Kind, path: Path) -> bool:
