@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from certkit.grading.measure import Trace
 
 # What a measure is held against; all others need a window.
-KINDS: dict[str, type[Polygon] | type[Band]] = {"curve in polygon": Polygon, "curve in band": Band}
+KINDS: dict[str, type[Polygon | Band]] = {"curve in polygon": Polygon, "curve in band": Band}
 
 
 @dataclass(frozen=True)
