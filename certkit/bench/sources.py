@@ -1,0 +1,55 @@
+"""What `compare` and `export` take: a result document, the folder of a run, or measured data."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit.exchange.read import read_recording
+from certkit.grading import read_result
+from certkit.grading.curves import recording_of
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from certkit.definitions.mapping import Mapping
+    from certkit.grading.result import Result
+    from certkit.signals import Recording
+
+
+@dataclass(frozen=True)
+class Source:
+    """A recording under the name the user gave it, with the result it stands in, if any."""
+
+    label: str
+    recording: Recording
+    result: Result | None = None
+
+
+def load_source(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> Source:
+    """Load what a path means.
+
+    Parameters
+    ----------
+    path : Path
+        `result.json`, a folder that holds one, or measured data.
+    mapping : Mapping, optional
+        For measured data.
+    lenient : bool
+        Likewise.
+
+    Raises
+    ------
+    DataError
+        When it is none of them, or is damaged.
+    """
+    document = path / "result.json" if path.is_dir() else path
+    if document.suffix.lower() == ".json" and document.is_file():
+        result = read_result(document)
+        return Source(_label(path), recording_of(result), result)
+    return Source(_label(path), read_recording(path, mapping, lenient=lenient).recording)
+
+
+def _label(path: Path) -> str:
+    """Name a source by its folder where its own name says nothing."""
+    return path.parent.name or path.name if path.name == "result.json" else path.name
