@@ -1,0 +1,183 @@
+"""LS-DYNA binout files through lasso-python, an optional extra that is imported only here.
+
+What binout files do, and this reader handles: a table with a single id comes back one-dimensional; every table has its own
+time vector; keys come in any order; `rcforc` lists each contact twice, once a side; `matsum` has momenta, or only mass and
+rigid-body velocity; nowhere stands a part's centre of gravity, so its displacement is the integral of its velocity.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from certkit.errors import DataError
+from certkit.exchange.fe.checks import read_bytes, require_finite, require_time_axis
+from certkit.exchange.fe.histories import ContactHistory, PartHistories, PartHistory, Units, match_one
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+    from certkit.exchange.fe.radioss import RigidBody
+
+    Values = NDArray[np.float64]
+
+_LEGEND_WIDTHS = (80, 70)
+_LSDA_HEADER = 8
+INSTALL = "reading binout files needs lasso-python: pip install 'certkit[binout]'"
+
+
+def read_binout(path: Path, units: Units, rigid_bodies: Mapping[str, RigidBody]) -> PartHistories:
+    """Read matsum, nodout, rcforc and glstat of a binout file.
+
+    Raises
+    ------
+    DataError
+        Without lasso-python, for a damaged file, or when matsum is missing.
+    """
+    content, digest = read_bytes(path)
+    source = str(path)
+    if len(content) < _LSDA_HEADER or content[0] != _LSDA_HEADER:
+        raise DataError(f"{source}: this is no LSDA container; a binout starts with its header length 8")
+    reader = _open(path, source)
+    tables = set(reader.read())
+    if "matsum" not in tables:
+        have = ", ".join(sorted(tables)) or "nothing"
+        raise DataError(f"{source}: there is no matsum (only {have}); request *DATABASE_MATSUM")
+    binout = _Binout(reader, source)
+    time = binout.array("matsum", "time") * units.time
+    require_time_axis(time, source)
+    notes = ["displacements of centres of gravity are integrals of the parts' velocities"]
+    parts = _parts(binout, time, units, rigid_bodies, notes)
+    nodes: dict[str, Values] = {}
+    if "nodout" in tables:
+        at = binout.array("nodout", "time") * units.time
+        moved = binout.columns("nodout", "x_displacement") * units.length
+        for k, name in enumerate(binout.legend("nodout", moved.shape[1])):
+            nodes[name] = np.interp(time, at, moved[:, k])
+    for name, body in rigid_bodies.items():
+        if nodes and body.node in nodes:
+            parts[name] = PartHistory(body.mass, parts[name].momentum, nodes[body.node], nodes[body.node])
+    contacts = _contacts(binout, time, units) if "rcforc" in tables else {}
+    if contacts:
+        notes.append("contact impulses are integrals of the recorded forces")
+    energies: dict[str, Values] = {}
+    if "glstat" in tables:
+        at = binout.array("glstat", "time") * units.time
+        for kind in ("kinetic", "internal"):
+            name = f"{kind}_energy"
+            if name in reader.read("glstat"):
+                energies[kind] = np.interp(time, at, binout.array("glstat", name)) * units.energy
+    return PartHistories(
+        time,
+        parts,
+        nodes,
+        contacts,
+        energies=energies,
+        notes=tuple(notes),
+        source=source,
+        files={source: digest},
+    )
+
+
+def _open(path: Path, source: str) -> Any:  # noqa: ANN401  # lasso ships no types
+    try:
+        from lasso.dyna import Binout  # noqa: PLC0415  # optional, heavy
+    except ImportError:
+        raise DataError(f"{source}: {INSTALL}") from None
+    try:
+        return Binout(str(path))
+    except Exception as error:  # noqa: BLE001  # whatever lasso raises, the file is what is wrong
+        raise DataError(f"{source}: lasso-python cannot read it ({error}); was it cut?") from None
+
+
+class _Binout:
+    """Tables of a binout file as plain two-dimensional arrays."""
+
+    def __init__(self, reader: Any, source: str) -> None:  # noqa: ANN401  # lasso ships no types
+        self._reader, self._source = reader, source
+
+    def has(self, table: str, name: str) -> bool:
+        return name in self._reader.read(table)
+
+    def array(self, table: str, name: str) -> Values:
+        if not self.has(table, name):
+            raise DataError(f"{self._source}: {table} has no `{name}`; is the file whole?")
+        try:
+            values = np.asarray(self._reader.read(table, name), dtype=np.float64)
+        except Exception as error:  # noqa: BLE001  # see _open
+            raise DataError(f"{self._source}: {table}/{name} cannot be read ({error})") from None
+        require_finite(values.ravel(), f"{table}/{name}", self._source)
+        return values
+
+    def columns(self, table: str, name: str) -> Values:
+        """Return (n, k) also where a single id comes back as (n,)."""
+        values = self.array(table, name)
+        values = values[:, None] if values.ndim == 1 else values
+        if values.shape[0] != self.array(table, "time").shape[0]:
+            raise DataError(f"{self._source}: {table}/{name} has not one row an instant; the file was cut")
+        return values
+
+    def legend(self, table: str, count: int) -> list[str]:
+        """Return the names of a table's objects; ids where the model gives no titles."""
+        ids = np.atleast_1d(self.array(table, "ids")).astype(int)
+        names = {int(i): str(int(i)) for i in ids}
+        if self.has(table, "legend"):
+            text = str(self._reader.read(table, "legend"))
+            titled = np.atleast_1d(self.array(table, "legend_ids")).astype(int)
+            for width in _LEGEND_WIDTHS:
+                if titled.size and len(text) == width * titled.size:
+                    for k, i in enumerate(titled):
+                        names[int(i)] = text[width * k : width * (k + 1)].strip() or str(int(i))
+        if len(ids) != count:
+            raise DataError(f"{self._source}: {table} announces {len(ids)} objects and holds {count}")
+        return [names[int(i)] for i in ids]
+
+
+def _parts(
+    binout: _Binout,
+    time: Values,
+    units: Units,
+    rigid_bodies: Mapping[str, RigidBody],
+    notes: list[str],
+) -> dict[str, PartHistory]:
+    mass = binout.columns("matsum", "mass") * units.mass
+    velocity = binout.columns("matsum", "x_rbvelocity") * (units.length / units.time)
+    direct = (
+        binout.columns("matsum", "x_momentum") * units.momentum
+        if binout.has("matsum", "x_momentum")
+        else None
+    )
+    if direct is None:
+        notes.append("matsum has no x_momentum: momentum is initial mass times x_rbvelocity")
+    names = binout.legend("matsum", mass.shape[1])
+    for name in rigid_bodies:
+        match_one(name, dict.fromkeys(names), "part", binout._source)  # noqa: SLF001  # same module
+    parts = {}
+    for k, name in enumerate(names):
+        m = float(mass[0, k]) or None
+        if name in rigid_bodies:
+            m = rigid_bodies[name].mass
+        momentum = None if direct is None else direct[:, k]
+        if m is not None and (momentum is None or (name in rigid_bodies and not np.any(momentum))):
+            momentum = m * velocity[:, k]
+        steps = 0.5 * (velocity[1:, k] + velocity[:-1, k]) * np.diff(time)
+        parts[name] = PartHistory(m, momentum, np.concatenate([[0.0], np.cumsum(steps)]))
+    return parts
+
+
+def _contacts(binout: _Binout, time: Values, units: Units) -> dict[str, ContactHistory]:
+    at = binout.array("rcforc", "time") * units.time
+    force = binout.columns("rcforc", "x_force") * units.force
+    names = binout.legend("rcforc", force.shape[1])
+    contacts: dict[str, ContactHistory] = {}
+    for k, name in enumerate(names):
+        if name in contacts:  # the other side of the same contact
+            continue
+        steps = 0.5 * (force[1:, k] + force[:-1, k]) * np.diff(at)
+        impulse = np.concatenate([[0.0], np.cumsum(steps)])
+        contacts[name] = ContactHistory(np.interp(time, at, impulse), np.interp(time, at, force[:, k]))
+    return contacts

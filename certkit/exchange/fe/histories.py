@@ -1,0 +1,184 @@
+"""`PartHistories`: what every finite-element reader yields, whatever solver wrote the files. SI units throughout.
+
+Only the direction of the impact is kept (x along the car), because that is the one a lumped front moves in.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING, TypeVar
+
+from certkit.errors import DataError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Values = NDArray[np.float64]
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Units:
+    """Factors from a file's consistent units to SI.
+
+    Parameters
+    ----------
+    mass, length, time : float
+        Kilograms, metres and seconds in one unit of the file.
+    """
+
+    mass: float
+    length: float
+    time: float
+
+    @property
+    def momentum(self) -> float:
+        """Newton seconds in one unit of momentum or impulse."""
+        return self.mass * self.length / self.time
+
+    @property
+    def force(self) -> float:
+        """Newtons in one unit of force."""
+        return self.momentum / self.time
+
+    @property
+    def energy(self) -> float:
+        """Joules in one unit of energy."""
+        return self.force * self.length
+
+
+_MASSES = {"kg": 1.0, "g": 1e-3, "t": 1e3}
+_LENGTHS = {"mm": 1e-3, "m": 1.0}
+_TIMES = {"ms": 1e-3, "s": 1.0}
+
+
+def parse_units(words: str) -> Units:
+    """Read `kg mm ms` as a consistent set of units.
+
+    Raises
+    ------
+    DataError
+        When it is not a mass, a length and a time that are known.
+    """
+    parts = re.split(r"[\s,]+", words.strip())
+    if len(parts) == 3:
+        mass, length, time = parts
+        if mass in _MASSES and length in _LENGTHS and time in _TIMES:
+            return Units(_MASSES[mass], _LENGTHS[length], _TIMES[time])
+    raise DataError(
+        f"units `{words}` are not known; write mass, length and time such as `kg mm ms`, `t mm s` or `kg m s`"
+    )
+
+
+@dataclass(frozen=True)
+class PartHistory:
+    """One part (or rigid body) of the finite-element model.
+
+    Parameters
+    ----------
+    mass : float or None
+        Initial mass in kg; None where no file tells it.
+    momentum : ndarray, shape (n,), or None
+        Momentum along x in N·s.
+    displacement : ndarray, shape (n,), or None
+        Displacement of the centre of gravity along x in m.
+    front : ndarray, shape (n,), or None
+        Mean displacement of the part's front along x in m.
+    """
+
+    mass: float | None = None
+    momentum: Values | None = None
+    displacement: Values | None = None
+    front: Values | None = None
+
+
+@dataclass(frozen=True)
+class ContactHistory:
+    """What one contact interface has passed on along x: impulse in N·s and, where recorded, force in N."""
+
+    impulse: Values
+    force: Values | None = None
+
+
+@dataclass(frozen=True)
+class SpringHistory:
+    """A discrete spring to the ground: force on the ground in N and shortening in m, both positive in +x."""
+
+    force: Values
+    shortening: Values | None = None
+
+
+@dataclass(frozen=True)
+class PartHistories:
+    """All histories of one finite-element run on the solver's own, slightly uneven time axis.
+
+    Parameters
+    ----------
+    time : ndarray, shape (n,)
+        Seconds, strictly increasing.
+    parts, nodes, contacts, springs, energies : mapping
+        By the name in the model. Node values are displacements along x in m, energies in J.
+    notes : tuple of str
+        What the reader had to assume or repair.
+    files : mapping of str to str
+        SHA-256 of every file that was read, by its name.
+    """
+
+    time: Values
+    parts: Mapping[str, PartHistory]
+    nodes: Mapping[str, Values] = field(default_factory=dict)
+    contacts: Mapping[str, ContactHistory] = field(default_factory=dict)
+    springs: Mapping[str, SpringHistory] = field(default_factory=dict)
+    energies: Mapping[str, Values] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+    source: str = ""
+    files: Mapping[str, str] = field(default_factory=dict)
+
+    def part(self, pattern: str) -> PartHistory:
+        """Return the part of that name or glob pattern; DataError when there is none or more than one."""
+        return self.parts[match_one(pattern, self.parts, "part", self.source)]
+
+    def node(self, pattern: str) -> Values:
+        """Return the x displacement of the node of that name or glob pattern."""
+        return self.nodes[match_one(pattern, self.nodes, "node", self.source)]
+
+    def contact(self, pattern: str) -> ContactHistory:
+        """Return the contact interface of that name or glob pattern."""
+        return self.contacts[match_one(pattern, self.contacts, "contact", self.source)]
+
+    def spring(self, pattern: str) -> SpringHistory:
+        """Return the spring of that name or glob pattern."""
+        return self.springs[match_one(pattern, self.springs, "spring", self.source)]
+
+
+def match_one(pattern: str, names: Mapping[str, T], kind: str, source: str) -> str:
+    """Find the one name that a pattern such as `F1_*` means.
+
+    Raises
+    ------
+    DataError
+        When nothing or more than one thing matches; names what there is.
+    """
+    if pattern in names:
+        return pattern
+    found = [name for name in names if fnmatchcase(name, pattern)]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise DataError(
+            f"{source}: `{pattern}` fits {len(found)} {kind}s ({', '.join(found[:6])}); name one of them"
+        )
+    near = get_close_matches(pattern, names, n=1)
+    if near:
+        hint = f"did you mean `{near[0]}`?"
+    elif names:
+        hint = f"there are {', '.join(list(names)[:12])}"
+    else:
+        hint = f"the file holds no {kind}s; ask the solver to write them"
+    raise DataError(f"{source}: no {kind} `{pattern}`; {hint}")

@@ -1,0 +1,72 @@
+"""The CSV that OpenRadioss' own converter writes from a native time history."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from certkit.errors import DataError
+from certkit.exchange.fe.checks import require_time_axis
+from certkit.exchange.fe.radioss import Channels
+from certkit.exchange.fe.table import read_table
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Objects = dict[str, dict[str, NDArray[np.float64]]]
+
+_ENERGIES = {
+    "INTERNAL ENERGY": "internal",
+    "KINETIC ENERGY": "kinetic",
+    "ROTATION ENERGY": "rotation",
+    "EXTERNAL WORK": "external work",
+    "SPRING ENERGY": "spring",
+    "CONTACT ENERGY": "contact",
+    "HOURGLASS ENERGY": "hourglass",
+}
+_OTHER_GLOBALS = frozenset({"ADDED MASS", "PERCENTAGE ADDED MASS", "INLET MASS", "OUTLET MASS"})
+_PART = re.compile(r"^(?P<name>.+) (?P<variable>IE|KE|[XYZ]MOM|MASS|HE|[XYZ]CG|V[XYZ]|ERODED|HEAT)$")
+_OBJECT = re.compile(r"^(?P<group>.+?) (?P<id>\d+) (?P<name>.+) (?P<variable>[A-Z]{2,3})$")
+
+
+def read_converted(path: Path) -> Channels:
+    """Read a converted OpenRadioss time history (`.csv` or `.csv.gz`).
+
+    Contact columns are told by their variables (`FNX`), nodes by theirs (`DX`).
+
+    Raises
+    ------
+    DataError
+        For a damaged table or one without time or parts.
+    """
+    table = read_table(path)
+    if "time" not in table.columns:
+        raise DataError(f"{path}: there is no column `time`; is this OpenRadioss' converted CSV?")
+    time = table.columns["time"]
+    require_time_axis(time, table.source)
+    parts: Objects = {}
+    contacts: Objects = {}
+    nodes: Objects = {}
+    energies = {}
+    for head, values in table.columns.items():
+        if head in _OTHER_GLOBALS:
+            continue
+        if head in _ENERGIES:
+            energies[_ENERGIES[head]] = values
+        elif found := _OBJECT.match(head):
+            variable = found["variable"]
+            owner = contacts if variable[:2] in {"FN", "FT"} else nodes if variable[0] in "DV" else None
+            if owner is not None:
+                owner.setdefault(found["name"], {})[variable] = values
+        elif found := _PART.match(head):
+            parts.setdefault(found["name"], {})[found["variable"]] = values
+    if not parts:
+        raise DataError(
+            f"{path}: there are no part histories; add the parts to the solver's /TH/PART request"
+        )
+    return Channels(
+        time, energies, parts, contacts, nodes, impulses=False, source=table.source, digest=table.digest
+    )

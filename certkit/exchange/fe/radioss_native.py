@@ -1,0 +1,227 @@
+"""OpenRadioss' native time history (`…T01`): big-endian Fortran records.
+
+No library reads it. The layout was worked out from the files themselves and is checked here against itself: every
+record's length stands before and after it, and the lengths of the data records must agree with the directory.
+
+Records: run title with the format code · date · six counts (parts, materials, properties, subsets, groups,
+global variables) · global variable numbers · per part a description and its variable numbers · materials · properties ·
+subsets with their parts and variables · groups with their objects and variables · then for each instant: time, global
+values, part values, subset values, one record for each group; all 32-bit.
+"""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.errors import DataError
+from certkit.exchange.fe.checks import read_bytes, require_finite, require_time_axis
+from certkit.exchange.fe.radioss import Channels
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+_GLOBALS: tuple[str, ...] = ("internal", "kinetic", "x momentum", "y momentum", "z momentum", "mass", "time step", "rotation")
+_GLOBALS += ("external work", "spring", "contact", "hourglass")
+_ENERGIES = frozenset(_GLOBALS) - {"x momentum", "y momentum", "z momentum", "mass", "time step"}
+_PART_VARIABLES = {
+    1: "IE", 2: "KE", 3: "XMOM", 4: "YMOM", 5: "ZMOM", 6: "MASS", 7: "HE", 9: "XCG", 10: "YCG", 11: "ZCG",
+    29: "VX", 30: "VY", 31: "VZ",
+}  # fmt: skip
+_NODE_GROUP, _CONTACT_GROUP = 0, 101
+_GROUP_VARIABLES = {
+    _NODE_GROUP: ("DX", "DY", "DZ", "VX", "VY", "VZ"),
+    _CONTACT_GROUP: ("FNX", "FNY", "FNZ", "FTX", "FTY", "FTZ"),
+}
+_TITLE_AT_CODE_40 = range(3000, 3041)
+_MOST_OBJECTS = 100_000
+
+
+@dataclass(frozen=True)
+class _Group:
+    kind: int
+    names: tuple[str, ...]
+    variables: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class _Directory:
+    globals_: tuple[int, ...]
+    parts: tuple[tuple[str, tuple[int, ...]], ...]
+    subset_width: int
+    groups: tuple[_Group, ...]
+
+
+class _Records:
+    """The file's records one after the other, each checked by the lengths around it."""
+
+    def __init__(self, content: bytes, source: str) -> None:
+        self._content, self._source, self._at = content, source, 0
+
+    def __bool__(self) -> bool:
+        return self._at < len(self._content)
+
+    def next(self) -> bytes:
+        at, content = self._at, self._content
+        if at + 4 > len(content):
+            raise self._cut()
+        (length,) = struct.unpack_from(">i", content, at)
+        end = at + 4 + length
+        if length < 0:
+            raise DataError(f"{self._source}: byte {at} is no record of a native OpenRadioss time history")
+        if end + 4 > len(content):
+            raise self._cut()
+        if struct.unpack_from(">i", content, end)[0] != length:
+            raise DataError(
+                f"{self._source}: the record at byte {at} has two different lengths; is this a native OpenRadioss "
+                "time history (…T01), copied as binary?"
+            )
+        self._at = end + 4
+        return content[at + 4 : end]
+
+    def integers(self) -> tuple[int, ...]:
+        record = self.next()
+        if len(record) % 4:
+            raise DataError(f"{self._source}: a directory record before byte {self._at} is damaged")
+        return struct.unpack(f">{len(record) // 4}i", record)
+
+    def _cut(self) -> DataError:
+        return DataError(
+            f"{self._source}: the file ends inside the record at byte {self._at}; it was cut: copy it again"
+        )
+
+
+def read_native(path: Path) -> Channels:
+    """Read a native OpenRadioss time history (`…T01` or `…T01.gz`).
+
+    Raises
+    ------
+    DataError
+        For anything that is no whole, self-consistent file of this kind.
+    """
+    content, digest = read_bytes(path)
+    source = str(path)
+    records = _Records(content, source)
+    directory = _directory(records, source)
+    time, data = _instants(records, directory, source)
+    require_time_axis(time, source)
+    at = 0
+    energies = {}
+    for number in directory.globals_:
+        name = _GLOBALS[number - 1] if number <= len(_GLOBALS) else ""
+        if name in _ENERGIES:
+            energies[name] = data[:, at]
+        at += 1
+    parts: dict[str, dict[str, NDArray[np.float64]]] = {}
+    for name, variables in directory.parts:
+        known = {}
+        for number in variables:
+            if number in _PART_VARIABLES:
+                known[_PART_VARIABLES[number]] = data[:, at]
+            at += 1
+        parts[name] = known
+    at += directory.subset_width
+    objects: dict[int, dict[str, dict[str, NDArray[np.float64]]]] = {_NODE_GROUP: {}, _CONTACT_GROUP: {}}
+    for group in directory.groups:
+        names = _GROUP_VARIABLES.get(group.kind, ())
+        for name in group.names:
+            known = {}
+            for number in group.variables:
+                if number <= len(names):
+                    known[names[number - 1]] = data[:, at]
+                at += 1
+            if group.kind in objects:
+                objects[group.kind][name] = known
+    for kind in (parts, *objects.values()):
+        for name, known in kind.items():
+            for variable, values in known.items():
+                require_finite(values, f"{name} {variable}", source)
+    return Channels(
+        time, energies, parts, objects[_CONTACT_GROUP], objects[_NODE_GROUP],
+        impulses=True, source=source, digest=digest,
+    )  # fmt: skip
+
+
+def _directory(records: _Records, source: str) -> _Directory:
+    title = records.next()
+    code = struct.unpack_from(">i", title)[0] if len(title) >= 4 else 0
+    if code not in _TITLE_AT_CODE_40:
+        raise DataError(
+            f"{source}: format code {code} is not known (known: {_TITLE_AT_CODE_40.start} to {_TITLE_AT_CODE_40.stop - 1}); "
+            "convert the file to CSV and read that"
+        )
+    records.next()  # date and solver
+    counts = records.integers()
+    if len(counts) != 6 or any(not 0 <= n <= _MOST_OBJECTS for n in counts):
+        raise DataError(f"{source}: the directory's counts {counts[:6]} make no sense; the file is damaged")
+    n_parts, n_materials, n_properties, n_subsets, n_groups, n_globals = counts
+    globals_ = records.integers() if n_globals else ()
+    parts = []
+    for _ in range(n_parts):
+        description = records.next()
+        width = _integer_at(description, -4, source)
+        parts.append((_name(description[4:44]), records.integers() if width else ()))
+        _agree(len(parts[-1][1]), width, f"part `{parts[-1][0]}`", source)
+    for _ in range(n_materials + n_properties):
+        records.next()
+    subset_width = 0
+    for _ in range(n_subsets):
+        description = records.next()
+        _, _, n_children, n_members, width = struct.unpack_from(">5i", description)
+        for count in (n_children, n_members, width):
+            if count:
+                records.integers()
+        subset_width += width
+    groups = []
+    for _ in range(n_groups):
+        _, kind, _, n_objects, width = struct.unpack_from(">5i", records.next())
+        names = tuple(_name(records.next()[4:44]) for _ in range(n_objects))
+        variables = records.integers() if width else ()
+        _agree(len(variables), width, "a group of objects", source)
+        groups.append(_Group(kind, names, variables))
+    _agree(len(globals_), n_globals, "the global variables", source)
+    return _Directory(globals_, tuple(parts), subset_width, tuple(groups))
+
+
+def _instants(
+    records: _Records, directory: _Directory, source: str
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Read time and all values; every instant must have the records that the directory announces."""
+    widths = [1, len(directory.globals_), sum(len(v) for _, v in directory.parts), directory.subset_width]
+    widths += [len(g.names) * len(g.variables) for g in directory.groups]
+    widths = [w for w in widths if w]
+    rows = []
+    while records:
+        blocks = [records.next() for _ in widths]
+        for block, width in zip(blocks, widths, strict=True):
+            if len(block) != 4 * width:
+                raise DataError(
+                    f"{source}: instant {len(rows) + 1} holds {len(block) // 4} values where the directory announces {width}"
+                )
+        rows.append(b"".join(blocks))
+    if not rows:
+        raise DataError(f"{source}: the file has a directory but no instants; the run wrote no history")
+    data = np.frombuffer(b"".join(rows), ">f4").reshape(len(rows), -1).astype(np.float64)
+    return data[:, 0], data[:, 1:]
+
+
+def _name(raw: bytes) -> str:
+    return raw.decode("latin-1").strip()
+
+
+def _integer_at(record: bytes, at: int, source: str) -> int:
+    if len(record) < 44:
+        raise DataError(f"{source}: a part's description is too short; the file is damaged")
+    return int(struct.unpack_from(">i", record, len(record) + at)[0])
+
+
+def _agree(found: int, announced: int, what: str, source: str) -> None:
+    if found != announced:
+        raise DataError(
+            f"{source}: {what} announces {announced} variables and lists {found}; the file is damaged"
+        )

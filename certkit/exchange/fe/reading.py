@@ -1,0 +1,85 @@
+"""Reading what a case names, in whatever format it is, without leaving the folder it lies in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from certkit.errors import DataError
+from certkit.exchange.fe.binout import read_binout
+from certkit.exchange.fe.faces import Face, read_faces
+from certkit.exchange.fe.histories import PartHistories, PartHistory, parse_units
+from certkit.exchange.fe.radioss import RigidBody, part_histories
+from certkit.exchange.fe.radioss_csv import read_converted
+from certkit.exchange.fe.radioss_native import read_native
+from certkit.exchange.fe.tidy import read_tidy
+
+if TYPE_CHECKING:
+    from certkit.definitions.case import Histories
+
+
+@dataclass(frozen=True)
+class FrontData:
+    """Histories of a finite-element run and what is known of its parts' faces."""
+
+    histories: PartHistories
+    faces: dict[str, Face]
+
+
+def read_case_data(section: Histories, folder: Path) -> FrontData:
+    """Read all files of a case.
+
+    Parameters
+    ----------
+    section : Histories
+        What the case says about its files.
+    folder : Path
+        The folder that the files lie in; nothing outside it is read.
+
+    Raises
+    ------
+    DataError
+        For missing or damaged files, and names that lead out of the folder.
+    """
+    paths = [_inside(folder, name) for name in section.files]
+    histories = _histories(section, paths)
+    faces: dict[str, Face] = {}
+    digests: dict[str, str] = {}
+    if section.table is not None:
+        outlines = None if section.outlines is None else _inside(folder, section.outlines)
+        faces, digests = read_faces(_inside(folder, section.table), outlines)
+    parts = {name: _with_mass(part, faces.get(name)) for name, part in histories.parts.items()}
+    names = {str(p): n for p, n in zip(paths, section.files, strict=True)}
+    files = {
+        names.get(path, Path(path).name): digest for path, digest in {**histories.files, **digests}.items()
+    }
+    return FrontData(replace(histories, parts=parts, files=files), faces)
+
+
+def _histories(section: Histories, paths: list[Path]) -> PartHistories:
+    if section.format == "tidy csv":
+        return read_tidy(paths, section)
+    if len(paths) != 1:
+        raise DataError(
+            f"{paths[1]}: the format `{section.format}` is read from one file; leave the others out"
+        )
+    units = parse_units(section.units)
+    rigid = {name: RigidBody(float(b.mass), b.node) for name, b in section.rigid_bodies.items()}
+    if section.format == "ls-dyna binout":
+        return read_binout(paths[0], units, rigid)
+    channels = read_native(paths[0]) if section.format == "openradioss native" else read_converted(paths[0])
+    return part_histories(channels, units, rigid)
+
+
+def _with_mass(part: PartHistory, face: Face | None) -> PartHistory:
+    return replace(part, mass=face.mass) if part.mass is None and face is not None else part
+
+
+def _inside(folder: Path, name: str) -> Path:
+    """Return folder/name, or folder/name.gz where only that exists; refuse names that lead elsewhere."""
+    path = folder / name
+    if Path(name).is_absolute() or not path.resolve().is_relative_to(folder.resolve()):
+        raise DataError(f"{name}: leads out of the case's folder; copy the file into {folder}")
+    packed = path.with_name(path.name + ".gz")
+    return packed if packed.exists() and not path.exists() else path

@@ -1,0 +1,149 @@
+"""Tidy CSV files: one named column a quantity, its unit at the end of the name, and a mapping that says what is what."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, TypeVar
+
+import numpy as np
+
+from certkit.errors import DataError
+from certkit.exchange.fe.checks import require_time_axis
+from certkit.exchange.fe.histories import ContactHistory, PartHistories, PartHistory, SpringHistory, match_one
+from certkit.exchange.fe.table import Table, read_table
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Mapping
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+    from certkit.definitions.case import Histories, PartColumns
+
+    Values = NDArray[np.float64]
+
+T = TypeVar("T")
+
+SUFFIXES = {
+    "ms": ("time", 1e-3), "s": ("time", 1.0), "mm": ("length", 1e-3), "m": ("length", 1.0),
+    "Ns": ("momentum", 1.0), "N": ("force", 1.0), "kN": ("force", 1e3), "J": ("energy", 1.0),
+}  # fmt: skip
+"""Unit at the end of a column's name → dimension and factor to SI."""
+
+
+def read_tidy(paths: list[Path], mapping: Histories) -> PartHistories:
+    """Read tidy CSV files that share one time axis.
+
+    Parameters
+    ----------
+    paths : list of Path
+    mapping : Histories
+        The case's section that names the columns.
+
+    Raises
+    ------
+    DataError
+        For damaged tables, time axes that differ, columns that are missing or whose unit does not fit.
+    """
+    columns = _Columns(paths, mapping.time)
+    parts = {
+        name: PartHistory(
+            mass=None if spec.mass is None else float(spec.mass),
+            momentum=columns.get(spec.momentum, star, "momentum"),
+            displacement=columns.get(spec.displacement, star, "length"),
+            front=columns.get(spec.front, star, "length"),
+        )
+        for name, spec, star in columns.expanded(mapping.parts, _key_of_part)
+    }
+    contacts = {
+        name: ContactHistory(
+            columns.require(spec.impulse, star, "momentum"), columns.get(spec.force, star, "force")
+        )
+        for name, spec, star in columns.expanded(mapping.contacts, lambda c: c.impulse)
+    }
+    springs = {
+        name: SpringHistory(
+            columns.require(spec.force, star, "force"), columns.get(spec.shortening, star, "length")
+        )
+        for name, spec, star in columns.expanded(mapping.springs, lambda c: c.force)
+    }
+    nodes = {name: columns.require(column, "", "length") for name, column in mapping.nodes.items()}
+    return PartHistories(
+        time=columns.time,
+        parts=parts,
+        nodes=nodes,
+        contacts=contacts,
+        springs=springs,
+        source=columns.source,
+        files=columns.files,
+    )
+
+
+def _key_of_part(spec: PartColumns) -> str:
+    return spec.momentum or spec.displacement or spec.front or ""
+
+
+class _Columns:
+    """All columns of all files, found by name, with their units."""
+
+    def __init__(self, paths: list[Path], time: str) -> None:
+        self._tables = [read_table(path) for path in paths]
+        self.source = ", ".join(t.source for t in self._tables)
+        self.files = {t.source: t.digest for t in self._tables}
+        self._columns: dict[str, tuple[Values, str]] = {}
+        for table in self._tables:
+            axis = _time_axis(table, time)
+            if table is self._tables[0]:
+                self.time = axis
+            elif axis.shape != self.time.shape or not np.allclose(axis, self.time, rtol=0, atol=1e-9):
+                raise DataError(
+                    f"{table.source}: its times differ from those of {self._tables[0].source}; "
+                    "both must be of one run and uncut"
+                )
+            for name, values in table.columns.items():
+                self._columns.setdefault(name, (values, table.source))
+
+    def require(self, template: str, star: str, dimension: str) -> Values:
+        """Return the column in SI; `*` in the template is replaced by `star`."""
+        name = template.replace("*", star)
+        if name not in self._columns:
+            match_one(name, self._columns, "column", self.source)
+        values, source = self._columns[name]
+        suffix = name.rsplit("_", 1)[-1]
+        if suffix not in SUFFIXES or SUFFIXES[suffix][0] != dimension:
+            units = ", ".join(f"_{u}" for u, (d, _) in SUFFIXES.items() if d == dimension)
+            raise DataError(
+                f"{source}: column `{name}` should be a {dimension}; its name must end in {units}"
+            )
+        return values * SUFFIXES[suffix][1]
+
+    def get(self, template: str | None, star: str, dimension: str) -> Values | None:
+        """Return the column, or None where a `*` template has none for this part or no column was named."""
+        if template is None or ("*" in template and template.replace("*", star) not in self._columns):
+            return None
+        return self.require(template, star, dimension)
+
+    def expanded(self, mapping: Mapping[str, T], key: Callable[[T], str]) -> Iterator[tuple[str, T, str]]:
+        """Yield (name, spec, star) with each `*` entry once for every column that its key column matches."""
+        for name, spec in mapping.items():
+            template = key(spec)
+            if "*" not in name:
+                yield name, spec, ""
+                continue
+            before, _, after = template.partition("*")
+            for column in self._columns:
+                if len(column) > len(template) - 1 and column.startswith(before) and column.endswith(after):
+                    star = column[len(before) : len(column) - len(after)]
+                    full = name.replace("*", star)
+                    if full not in mapping:
+                        yield full, spec, star
+
+
+def _time_axis(table: Table, name: str) -> Values:
+    if name not in table.columns:
+        match_one(name, table.columns, "column", table.source)
+    suffix = name.rsplit("_", 1)[-1]
+    if SUFFIXES.get(suffix, ("",))[0] != "time":
+        raise DataError(f"{table.source}: the time column `{name}` must end in _ms or _s")
+    time: Values = table.columns[name] * SUFFIXES[suffix][1]
+    require_time_axis(time, table.source)
+    return time

@@ -1,0 +1,128 @@
+"""The law of a spring between two groups: loading curve, unloading branch, permanent set, damping.
+
+The same law stands in a vehicle document and is simulated by the mechanics room (`certkit.mechanics.vehicle_law`); a test
+holds the two against each other. For shortening x with largest shortening so far xm and Fm = B(xm):
+
+- loading (x ≥ xm): F = B(x), piecewise linear, continued with its last slope;
+- unloading and reloading (x < xm): F = max(Fm − k·(xm − x), r·Fm·(x − xs)/(xm − xs), 0), never above B(x), with the
+  unloading stiffness k, the residual share r and the permanent set xs = s·xm;
+- extension, for a path that can pull: the same with the loading curve's negative part, measured from the length that the
+  shortening has left behind;
+- damping: c·dx/dt while the spring is engaged; a path that cannot pull never pulls by its damper either.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    Values = NDArray[np.float64]
+    Curve = Callable[[Values], Values]
+
+
+@dataclass(frozen=True)
+class Branch:
+    """How a spring unloads.
+
+    Parameters
+    ----------
+    stiffness : float
+        Unloading stiffness k in N/m.
+    residual : float
+        Share r of the largest force that the lower branch aims at, 0 to 1.
+    permanent_set : float
+        Share s of the largest shortening that stays, 0 to 1.
+    """
+
+    stiffness: float
+    residual: float = 0.0
+    permanent_set: float = 0.0
+
+
+@dataclass(frozen=True)
+class SpringLaw:
+    """Law of one path. SI units.
+
+    Parameters
+    ----------
+    shortening, force : tuple of float
+        Points of the loading curve; shortenings rise. Points below zero shortening are the pulling side.
+    branch : Branch
+        Unloading.
+    damping : float
+        N·s/m.
+    tension : bool
+        Whether it can pull.
+    """
+
+    shortening: tuple[float, ...]
+    force: tuple[float, ...]
+    branch: Branch
+    damping: float = 0.0
+    tension: bool = False
+
+    def loading(self, x: Values) -> Values:
+        """Return the loading curve at x ≥ 0, continued with its last slope (never a falling one)."""
+        return _continued(x, *self._side(+1.0))
+
+    def pulling(self, y: Values) -> Values:
+        """Return the pulling force (positive) at extensions y ≥ 0."""
+        return _continued(y, *self._side(-1.0))
+
+    def _side(self, sign: float) -> tuple[Values, Values]:
+        x, f = sign * np.array(self.shortening), sign * np.array(self.force)
+        x, f = (x, f) if sign > 0 else (x[::-1], f[::-1])
+        keep = x >= 0
+        x, f = x[keep], f[keep]
+        if x.size == 0 or x[0] > 0:
+            x, f = np.concatenate([[0.0], x]), np.concatenate([[0.0], f])
+        return x, f
+
+    def spring_force(self, x: Values) -> Values:
+        """Return the force of the spring alone along a history of shortenings x, shape (n,)."""
+        side = _history(np.maximum(x, 0.0), self.loading, self.branch)
+        if not self.tension:
+            return side
+        y = np.maximum(self.rest_length(np.maximum(x, 0.0)) - x, 0.0)
+        pull = _history(y, self.pulling, self.branch)
+        return np.where(y > 0, -pull, side)
+
+    def rest_length(self, x: Values) -> Values:
+        """Return the shortening at which unloading comes to zero force, along a history of x ≥ 0."""
+        top = np.maximum.accumulate(x)
+        if self.branch.residual > 0:
+            return self.branch.permanent_set * top
+        return np.maximum(top - self.loading(top) / self.branch.stiffness, 0.0)
+
+    def total_force(self, x: Values, v: Values) -> Values:
+        """Return spring and damper along a history of shortenings x and rates v."""
+        spring = self.spring_force(x)
+        if self.tension:
+            return spring + self.damping * v
+        return np.where(spring > 0, np.maximum(spring + self.damping * v, 0.0), 0.0)
+
+
+def _continued(x: Values, xs: Values, fs: Values) -> Values:
+    if xs.size < 2:
+        return np.zeros_like(x)
+    slope = max((fs[-1] - fs[-2]) / (xs[-1] - xs[-2]), 0.0)
+    return np.interp(x, xs, fs) + slope * np.maximum(x - xs[-1], 0.0)
+
+
+def _history(x: Values, loading: Curve, branch: Branch) -> Values:
+    """Force along a history of x ≥ 0 with the memory of its largest value."""
+    top = np.maximum.accumulate(x)
+    peak = loading(top)
+    steep = peak - branch.stiffness * (top - x)
+    rest = branch.permanent_set * top
+    span = np.maximum(top - rest, 1e-12)
+    flat = branch.residual * peak * np.maximum(x - rest, 0.0) / span
+    lower = np.maximum(np.maximum(steep, flat), 0.0)
+    return np.where(x >= top, peak, np.minimum(lower, np.maximum(loading(x), 0.0)))

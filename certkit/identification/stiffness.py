@@ -1,0 +1,223 @@
+"""Step 5: the law of each path from its force and shortening.
+
+The loading curve is a piecewise-linear fit to the instants at which the shortening is the largest so far; then the unloading
+branch and the damper are those that best repeat the whole history. A damper is kept only where it earns its place.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.identification.law import Branch, SpringLaw
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Values = NDArray[np.float64]
+
+KNOTS = 60
+SIMPLIFY = 0.002
+"""Points of the loading curve may be left out as long as the curve moves by less than this share of its peak."""
+
+VIRGIN = 0.003
+"""A shortening within this share of the range below its largest value so far still counts as loading."""
+
+DAMPER_GAIN = 0.9
+"""A damper is kept when it brings the rms misfit below this share of the misfit without one."""
+
+STARTS = ((1.5, 0.05, 0.0), (4.0, 0.3, 0.0), (12.0, 0.1, 0.2), (4.0, 0.0, 0.0))
+"""First guesses of (unloading stiffness ÷ secant, residual share, permanent set)."""
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A path's law and how well it repeats the history it came from.
+
+    Parameters
+    ----------
+    law : SpringLaw
+    misfit : float
+        rms difference between the law along the history and the force, in per cent of the largest force.
+    unloaded : bool
+        Whether the history unloads far enough to show the branch.
+    """
+
+    law: SpringLaw
+    misfit: float
+    unloaded: bool
+
+
+def fit_law(x: Values, v: Values, force: Values, *, tension: bool) -> Fit | None:
+    """Find the law of one path.
+
+    Parameters
+    ----------
+    x, v, force : ndarray, shape (n,)
+        Shortening in m, its rate in m/s and force in N.
+    tension : bool
+        Whether the path can pull.
+
+    Returns
+    -------
+    Fit or None
+        None when the path never carries a force or never shortens.
+    """
+    peak = float(np.max(np.abs(force)))
+    span = float(np.ptp(x))
+    if peak <= 0 or span <= 1e-7:
+        return None
+    problem = _Problem(x, v, force, tension, peak)
+    if not problem.carries:
+        return None
+    unloaded = problem.unloads
+    if not unloaded:
+        law = problem.law(Branch(4.0 * problem.secant), 0.0)
+        return Fit(_simplified(law), problem.misfit(law), unloaded=False)
+    bare = problem.best(damped=False)
+    damped = problem.best(damped=True)
+    keep = problem.misfit(damped) < DAMPER_GAIN * problem.misfit(bare)
+    law = _simplified(damped if keep else bare)
+    return Fit(law, problem.misfit(law), unloaded=True)
+
+
+class _Problem:
+    """One path's history, and the laws that can be laid through it."""
+
+    def __init__(self, x: Values, v: Values, force: Values, tension: bool, peak: float) -> None:  # noqa: FBT001  # private
+        self.x, self.v, self.force, self.tension, self.peak = x, v, force, tension, peak
+        self.pushed = np.maximum(x, 0.0)
+        self.start = 0.0 if tension else self._onset()
+        self.top = float(np.max(self.pushed))
+        self.carries = self.top > self.start or (tension and float(np.min(x)) < 0)
+        reached = max(self.top, float(-np.min(x)) if tension else 0.0)
+        self.secant = peak / max(reached - self.start, 0.05 * reached, 1e-6)
+
+    @property
+    def unloads(self) -> bool:
+        """Tell whether the history shows an unloading branch: force falls away after the largest shortening."""
+        x = np.abs(self.x) if self.tension else self.pushed
+        k = int(np.argmax(x))
+        after = np.abs(self.force[k:])
+        return float(np.min(after)) < 0.5 * float(after[0]) or float(x[k] - np.min(x[k:])) > 0.05 * float(
+            x[k]
+        )
+
+    def _onset(self) -> float:
+        """Return the largest shortening before the path first carries one per cent of its peak force."""
+        loaded = np.flatnonzero(self.force > 0.01 * self.peak)
+        if loaded.size == 0 or loaded[0] == 0:
+            return 0.0
+        return max(float(np.max(self.pushed[: loaded[0]])), 0.0)
+
+    def law(self, branch: Branch, damping: float) -> SpringLaw:
+        """Lay a loading curve through the loading instants, given the branch and the damper."""
+        push = _curve(self.pushed, self.force - damping * self.v, self.start, self.top)
+        shortening, force = push
+        if self.tension:
+            one = SpringLaw(tuple(shortening), tuple(force), branch)
+            rest = one.rest_length(self.pushed)
+            y = np.maximum(rest - self.x, 0.0)
+            pull_x, pull_f = _curve(y, -(self.force - damping * self.v), 0.0, float(np.max(y)))
+            shortening = np.concatenate([-pull_x[:0:-1], shortening])
+            force = np.concatenate([-pull_f[:0:-1], force])
+        return SpringLaw(
+            tuple(map(float, shortening)), tuple(map(float, force)), branch, damping, self.tension
+        )
+
+    def misfit(self, law: SpringLaw) -> float:
+        """Return the rms misfit in per cent of the peak, over the instants where something acts."""
+        model = law.total_force(self.x, self.v)
+        acting = (np.abs(self.force) > 0.01 * self.peak) | (np.abs(model) > 0.01 * self.peak)
+        return float(100 * np.sqrt(np.mean((model - self.force)[acting] ** 2)) / self.peak)
+
+    def best(self, *, damped: bool) -> SpringLaw:
+        """Search branch (and damper) from several starts by least squares."""
+        from scipy.optimize import least_squares  # noqa: PLC0415  # 0.9 s, only here
+
+        fastest = float(np.max(np.abs(self.v))) or 1.0
+        most = 0.5 * self.peak / fastest
+
+        def law_of(p: Values) -> SpringLaw:
+            branch = Branch(self.secant * float(np.exp(p[0])), float(p[1]), float(p[2]))
+            return self.law(branch, float(p[3]) * most if damped else 0.0)
+
+        def residuals(p: Values) -> Values:
+            return (law_of(p).total_force(self.x, self.v) - self.force) / self.peak
+
+        lower, upper = [0.0, 0.0, 0.0], [np.log(200.0), 0.95, 0.95]
+        found = []
+        for ratio, residual, rest in STARTS:
+            start = [np.log(ratio), residual, rest, *([0.1] if damped else [])]
+            bounds = ([*lower, 0.0], [*upper, 1.0]) if damped else (lower, upper)
+            start = list(np.clip(start, np.array(bounds[0]) + 1e-3, np.array(bounds[1]) - 1e-3))
+            fit = least_squares(residuals, start, bounds=bounds, diff_step=1e-3, max_nfev=40)
+            found.append((float(fit.cost), tuple(fit.x)))
+        return law_of(np.array(min(found)[1]))
+
+
+def _curve(x: Values, force: Values, start: float, top: float) -> tuple[Values, Values]:
+    """Fit a piecewise-linear curve, zero up to `start`, to the loading instants of x ≥ 0.
+
+    A small second-difference penalty carries the curve over knots that few instants fall on.
+    """
+    if top <= start:
+        return np.array([0.0, max(start, 1e-6)]), np.zeros(2)
+    virgin = (x >= np.maximum.accumulate(x) - VIRGIN * top) & (x > start)
+    # After the largest value, only instants at the very top are still loading.
+    knots = np.linspace(start, top, KNOTS + 1)
+    width = knots[1] - knots[0]
+    place = np.clip((x[virgin] - start) / width, 0, KNOTS)
+    left = np.minimum(place.astype(int), KNOTS - 1)
+    values = _knot_values(left, place - left, force[virgin])
+    curve = np.maximum(np.concatenate([[0.0], values]), 0.0)
+    if start > 0:
+        return np.concatenate([[0.0], knots]), np.concatenate([[0.0], curve])
+    return knots, curve
+
+
+def _knot_values(left: NDArray[np.int64], share: Values, force: Values) -> Values:
+    """Solve for the values at all knots but the first, which is zero: least squares on hats with a smoothness penalty.
+
+    The normal equations have five diagonals, so this takes microseconds where a dense solver takes milliseconds.
+    """
+    from scipy.linalg import solveh_banded  # noqa: PLC0415  # 0.9 s, only here
+
+    size = KNOTS + 1
+    diagonal = np.bincount(left, (1 - share) ** 2, size) + np.bincount(left + 1, share**2, size)
+    beside = np.bincount(left, (1 - share) * share, size)
+    target = np.bincount(left, (1 - share) * force, size) + np.bincount(left + 1, share * force, size)
+    penalty = 1e-6 * max(left.size, 1) / KNOTS
+    bands = np.zeros((3, size))
+    bands[2], bands[1, 1:] = diagonal, beside[:-1]
+    bands[2, :-2] += penalty
+    bands[2, 1:-1] += 4 * penalty
+    bands[2, 2:] += penalty
+    bands[1, 1:-1] -= 2 * penalty
+    bands[1, 2:] -= 2 * penalty
+    bands[0, 2:] += penalty
+    bands[2] += 1e-12 * penalty  # a lone knot must not make the matrix singular
+    return np.asarray(solveh_banded(bands[:, 1:], target[1:]))
+
+
+def _simplified(law: SpringLaw) -> SpringLaw:
+    """Leave out points of the loading curve that a straight line between their neighbours replaces."""
+    x, f = np.array(law.shortening), np.array(law.force)
+    tolerance = SIMPLIFY * float(np.max(np.abs(f)))
+    keep = {0, len(x) - 1, int(np.argmin(np.abs(x)))}
+    edge = sorted(keep)
+    spans = list(zip(edge[:-1], edge[1:], strict=True))
+    while spans:
+        a, b = spans.pop()
+        if b - a < 2:
+            continue
+        line = f[a] + (f[b] - f[a]) * (x[a + 1 : b] - x[a]) / (x[b] - x[a])
+        off = np.abs(f[a + 1 : b] - line)
+        k = int(np.argmax(off))
+        if off[k] > tolerance:
+            keep.add(a + 1 + k)
+            spans += [(a, a + 1 + k), (a + 1 + k, b)]
+    kept = sorted(keep)
+    return replace(law, shortening=tuple(float(v) for v in x[kept]), force=tuple(float(v) for v in f[kept]))

@@ -1,0 +1,96 @@
+"""The vehicle document that an extraction yields, as YAML text."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING
+
+from certkit.errors import DataError
+from certkit.identification.grouping import GROUND
+
+if TYPE_CHECKING:
+    from certkit.identification.result import ExtractionResult, GroupResult, LawResult, PathResult
+
+_HASH_DIGITS = 12
+
+
+def vehicle_text(result: ExtractionResult) -> str:
+    """Write the vehicle document of an extraction.
+
+    The impactor is left out. A group that only a path without a law holds to the ground is taken for ground itself, because
+    nothing is known of how it gives way.
+
+    Raises
+    ------
+    DataError
+        When no fascia or hood group has a face, so that nothing could be hit.
+    """
+    held = {p.source for p in result.paths if p.target == GROUND and p.law is None} - {
+        p.source for p in result.paths if p.target == GROUND and p.law is not None
+    }
+    groups = [g for g in result.groups if g.kind != "impactor" and g.name not in held]
+    if not any(g.position is not None for g in groups):
+        raise DataError(
+            "no group has a face (low, high, position): the leg would hit nothing; add faces to the case"
+        )
+    hashes = ", ".join(f"{name} {digest[:_HASH_DIGITS]}" for name, digest in result.inputs.items())
+    lines = [
+        f"# Written by certkit extract from the case {result.case}; do not edit, extract again.",
+        f"vehicle: {result.vehicle or result.case}",
+        f"title: {_quoted(result.title)}",
+        "origin:",
+        f"  source: {_quoted(f'extracted from the case {result.case} (SHA-256 {hashes})')}",
+        "  confidence: derived",
+        "groups:",
+    ]
+    lines += [line for group in groups for line in _group(group)]
+    lines.append("connections:")
+    known = {g.name for g in groups} | {GROUND}
+    for path in result.paths:
+        if path.law is None or path.source in held:
+            continue
+        target = GROUND if path.target in held else path.target
+        if path.source in known and target in known:
+            lines += _connection(path, target, path.law)
+    lines.append("notes:")
+    lines += [f"  - {_quoted(note)}" for note in (*result.warnings, *result.notes)] or ["  []"]
+    return "\n".join(lines) + "\n"
+
+
+def _group(group: GroupResult) -> list[str]:
+    lines = [f"  {group.name}:", f"    kind: {group.kind}", f"    mass: {_number(group.mass)} kg"]
+    if group.position is not None and group.low is not None and group.high is not None:
+        lines += [
+            f"    position: {_number(1e3 * group.position)} mm",
+            f"    low: {_number(1e3 * group.low)} mm",
+            f"    high: {_number(1e3 * group.high)} mm",
+            f"    slope: {_number((group.slope or 0.0) + 0.0)}",
+        ]
+    return lines
+
+
+def _connection(path: PathResult, target: str, law: LawResult) -> list[str]:
+    lines = [f"  - between: [{path.source}, {target}]", "    loading:"]
+    lines += [
+        f"      - [{_number(1e3 * x)} mm, {_number(f)} N]"
+        for x, f in zip(law.shortening, law.force, strict=True)
+    ]
+    lines.append(f"    unloading: {_number(1e-3 * law.unloading)} N/mm")
+    if law.residual > 0:
+        lines.append(f"    residual: {_number(law.residual)}")
+        lines.append(f"    permanent set: {_number(law.permanent_set)}")
+    if law.damping > 0:
+        lines.append(f"    damping: {_number(law.damping)} N·s/m")
+    if law.tension:
+        lines.append("    tension: true")
+    return lines
+
+
+def _number(value: float) -> str:
+    text = f"{value:.5g}"
+    return text if "e" not in text else f"{value:.9f}".rstrip("0").rstrip(".") or "0"
+
+
+def _quoted(text: str) -> str:
+    """Quote as JSON, which is YAML too."""
+    return json.dumps(text, ensure_ascii=False)
