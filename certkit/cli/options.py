@@ -40,3 +40,5 @@ Allow = Annotated[
         help="`not-evaluated`: exit with 0 instead of 4 when nothing worse happened.",
     ),
 ]
+
+DEFAULT_FORMATS = "html,pdf,junit,csv"

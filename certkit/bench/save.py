@@ -1,0 +1,45 @@
+"""Write what a run or grading yields, whole or not at all."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.grading import write_result
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Sequence
+    from pathlib import Path
+
+    from certkit.grading.result import Result
+
+
+def save(result: Result, out: Path, formats: Collection[str]) -> list[Path]:
+    """Write `result.json` and the wanted reports into a folder.
+
+    Parameters
+    ----------
+    result : Result
+    out : Path
+        Made when missing.
+    formats : collection of str
+        Of `html`, `pdf`, `junit`, `csv`, `md`.
+
+    Returns
+    -------
+    list of Path
+        What was written, the JSON first.
+    """
+    document = out / "result.json"
+    write_result(result, document)
+    if not formats:
+        return [document]
+    from certkit.reporting import render  # noqa: PLC0415  # jinja2 and friends only where a report is wanted
+
+    return [document, *render(result, out, formats)]
+
+
+def save_suite(results: Sequence[Result], out: Path, formats: Collection[str]) -> list[Path]:
+    """Write the index page and the bound certificate of several results."""
+    from certkit.reporting import render_suite  # noqa: PLC0415  # likewise
+
+    return render_suite(results, out, formats)

@@ -1,0 +1,139 @@
+"""Everything a procedure needs, loaded and checked before anything runs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from importlib.metadata import version
+from typing import TYPE_CHECKING
+
+from pydantic import BaseModel
+
+from certkit._version import __version__
+from certkit.definitions.library import Loaded, load, names
+from certkit.definitions.parameters import parameters
+from certkit.grading.result import InputFile, Override, Parameter, Provenance
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+    from pathlib import Path
+
+    from certkit.definitions.corridor import CorridorSet
+    from certkit.definitions.legform import Legform
+    from certkit.definitions.library import Library
+    from certkit.definitions.procedure import Procedure
+    from certkit.definitions.reference import Reference
+    from certkit.definitions.vehicle import Vehicle
+
+# Packages whose version can change a number or a page.
+PACKAGES = ("jinja2", "numba", "numpy", "pydantic", "pymunk", "pyyaml", "weasyprint")
+
+# What `--set` may start with, and which definition it then changes.
+_ELSEWHERE = ("legform", "vehicle")
+
+
+@dataclass(frozen=True)
+class Setup:
+    """A procedure with the legform, vehicle, corridors and reference it names, and where each came from."""
+
+    procedure: Procedure
+    legform: Legform
+    vehicle: Vehicle | None
+    corridors: dict[str, CorridorSet]
+    reference: Reference | None
+    inputs: tuple[InputFile, ...]
+    overrides: tuple[Override, ...]
+    parameters: tuple[Parameter, ...]
+
+    def provenance(self, *further: InputFile) -> Provenance:
+        """Say what went in and which programs worked on it."""
+        return Provenance(
+            certkit=__version__,
+            inputs=[*self.inputs, *further],
+            packages={name: version(name) for name in PACKAGES},
+            overrides=list(self.overrides),
+        )
+
+
+def prepare(procedure: str | Path, *, library: Library = (), overrides: Sequence[str] = ()) -> Setup:
+    """Load a procedure and all that it names.
+
+    Parameters
+    ----------
+    procedure : str or Path
+        Name that the library knows, or a file.
+    library : sequence of Path
+        Folders with own definitions, searched first.
+    overrides : sequence of str
+        `path=value`: `rig.hinge.offset=30 mm` changes the procedure, `legform=NAME` and `vehicle=NAME` put another one on
+        the rig, `legform.femur.bending stiffness=190 N·m²` changes the legform, `vehicle.…` likewise the vehicle.
+
+    Raises
+    ------
+    DefinitionError
+        With all problems of a file.
+    UsageError
+        For a name that nobody knows, or an override that fits nowhere.
+    """
+    changes = _sorted_out(overrides)
+    sheet = load("procedure", procedure, library=library, overrides=changes["procedure"])
+    legform = load("legform", sheet.document.specimen.legform, library=library, overrides=changes["legform"])
+    loaded: list[tuple[str, Loaded[BaseModel]]] = [("procedure", sheet), ("legform", legform)]
+    vehicle = None
+    if sheet.document.vehicle is not None:
+        vehicle = load("vehicle", sheet.document.vehicle, library=library, overrides=changes["vehicle"])
+        loaded.append(("vehicle", vehicle))
+    sets = {name: load("corridors", name, library=library) for name in _named_sets(sheet.document, library)}
+    loaded += [("corridors", corridors) for corridors in sets.values()]
+    reference = None
+    if sheet.document.reference is not None:
+        reference = load("reference", sheet.document.reference, library=library)
+        loaded.append(("reference", reference))
+    return Setup(
+        procedure=sheet.document,
+        legform=legform.document,
+        vehicle=vehicle.document if vehicle else None,
+        corridors={name: corridors.document for name, corridors in sets.items()},
+        reference=reference.document if reference else None,
+        inputs=tuple(
+            InputFile(role=role, path=item.path, sha256=item.sha256, text=item.text) for role, item in loaded
+        ),
+        overrides=tuple(
+            Override(path=change.path if role == "procedure" else f"{role}.{change.path}", value=change.value, was=change.was)
+            for role, item in loaded
+            for change in item.overrides
+        ),
+        parameters=tuple(_parameters(loaded)),
+    )
+
+
+def _sorted_out(overrides: Sequence[str]) -> dict[str, list[str]]:
+    """Sort overrides by the definition they change."""
+    changes: dict[str, list[str]] = {"procedure": [], **{kind: [] for kind in _ELSEWHERE}}
+    for override in overrides:
+        path = override.partition("=")[0].strip()
+        kind, dot, _ = path.partition(".")
+        if kind in _ELSEWHERE and dot:
+            changes[kind].append(override.strip().removeprefix(f"{kind}."))
+        elif path == "legform":
+            changes["procedure"].append(f"specimen.{override.strip()}")
+        else:
+            changes["procedure"].append(override)
+    return changes
+
+
+def _named_sets(procedure: Procedure, library: Library) -> list[str]:
+    """List the corridor sets that a procedure names and somebody supplies; the others leave criteria informative."""
+    named = {c.corridor.partition("/")[0] for c in procedure.criteria if c.corridor}
+    named |= {procedure.score} if procedure.score else set()
+    return sorted(named & set(names("corridors", library)))
+
+
+def _parameters(loaded: Iterable[tuple[str, Loaded[BaseModel]]]) -> Iterable[Parameter]:
+    for role, item in loaded:
+        for entry in parameters(item.document):
+            yield Parameter(
+                path=f"{role} {item.name}: {entry.path}",
+                value=entry.value,
+                source=entry.source,
+                confidence=entry.confidence,
+            )

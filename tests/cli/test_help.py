@@ -1,0 +1,30 @@
+"""Asking for help costs nothing heavy."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+HEAVY = {"numpy", "pymunk", "matplotlib", "scipy", "weasyprint", "pandas", "numba", "jinja2", "pydantic"}
+PROBE = """
+import sys
+from certkit.cli import app
+try:
+    app(sys.argv[1:])
+except SystemExit:
+    pass
+print("LOADED", *sorted({name.partition(".")[0] for name in sys.modules}), file=sys.stderr)
+"""
+COMMANDS = ["run", "grade", "compare", "report", "extract", "calibrate", "study", "list", "show", "validate"]
+
+
+@pytest.mark.parametrize("arguments", [["--help"], *([name, "--help"] for name in COMMANDS)], ids=" ".join)
+def test_help_imports_nothing_heavy(arguments: list[str]) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", PROBE, *arguments], capture_output=True, text=True, check=True
+    )
+    assert "Usage" in done.stdout
+    loaded = set(done.stderr.split("LOADED", 1)[1].split())
+    assert not loaded & HEAVY

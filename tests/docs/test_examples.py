@@ -1,0 +1,55 @@
+"""Every command that the documentation shows is run as it stands, in the order of its page, in an empty folder.
+
+A block fenced as `yaml` whose first line is `# file: NAME` is written to that file first. In a block fenced as `console`, a line
+`$ certkit …` is run; the comment `# exit N` names the exit code it must end with (0 without one).
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PAGES = sorted((Path(__file__).parents[2] / "docs").rglob("*.md"))
+BLOCK = re.compile(r"^```(yaml|console)[^\n]*\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+
+
+def _commands(block: str) -> list[tuple[str, int]]:
+    found = []
+    for line in block.splitlines():
+        if line.startswith("$ certkit "):
+            text, _, comment = line[2:].partition("  # exit ")
+            found.append((text.strip(), int(comment or 0)))
+    return found
+
+
+WITH_COMMANDS = [page for page in PAGES if "\n$ certkit " in page.read_text()]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", WITH_COMMANDS, ids=lambda p: p.stem)
+def test_commands_of_a_page_end_as_the_page_says(page: Path, tmp_path: Path) -> None:
+    ran = 0
+    for kind, text in BLOCK.findall(page.read_text()):
+        if kind == "yaml" and text.startswith("# file: "):
+            target = tmp_path / text.splitlines()[0].removeprefix("# file: ").strip()
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(text)
+        for command, expected in _commands(text) if kind == "console" else ():
+            done = subprocess.run(
+                [sys.executable, "-m", *shlex.split(command)],
+                cwd=tmp_path,
+                capture_output=True,
+                text=True,
+                timeout=300,
+                check=False,
+                env={**os.environ, "NO_COLOR": "1"},
+            )
+            assert done.returncode == expected, f"{command}\n{done.stdout}\n{done.stderr}"
+            ran += 1
+    assert ran, f"{page.name} shows no command that was run"
