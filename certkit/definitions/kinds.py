@@ -86,6 +86,14 @@ _ALL = (
     Kind(
         "reference", "values to compare with", "reference:Reference", "references", "checks:check_reference"
     ),
+    Kind(
+        "family",
+        "legs that all pass the same tests, as changes of one legform",
+        "family:Family",
+        "models/legforms/families",
+    ),
+    Kind("laboratory", "who tested what, when, with which sensors", "laboratory:Laboratory"),
+    Kind("mapping", "how a laboratory's files become channels", "mapping:Mapping"),
 )
 
 KINDS = {kind.word: kind for kind in _ALL}

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Generic, Literal, TypeVar, overload
 
 from pydantic import BaseModel
 
-from certkit.definitions.kinds import Kind, kind_of
+from certkit.definitions.kinds import KINDS, Kind, kind_of
 from certkit.definitions.overrides import Change, change
 from certkit.definitions.reader import read_tree
 from certkit.definitions.sentences import suggestion
@@ -173,6 +173,17 @@ def names(kind: str, library: Library = ()) -> list[str]:
     """Return the names of all definitions of a kind, sorted."""
     known = kind_of(kind)
     return sorted({name for shelf in search_order(library) for name in shelf.names(known)})
+
+
+def neighbours(path: Path) -> list[Shelf]:
+    """Return the shelves beside a file named by its path: its folder, and the library that it is part of."""
+    folder = path.parent
+    roots = [folder]
+    for kind in KINDS.values():
+        parts = Path(kind.folder).parts
+        if parts and folder.parts[-len(parts) :] == parts:
+            roots.append(Path(*folder.parts[: -len(parts)]))
+    return [FolderShelf(root, _shown(root)) for root in roots]
 
 
 def _shown(path: Path) -> str:
