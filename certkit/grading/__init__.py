@@ -2,7 +2,7 @@
 
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
 from certkit.grading.document import from_json, read_result, to_json, write_result
-from certkit.grading.evaluate import criterion_values, evaluate
+from certkit.grading.evaluate import criterion_values, evaluate, grade_criteria, overall
 from certkit.grading.family import with_spread
 from certkit.grading.quality import grade_quality
 from certkit.grading.refinement import numerical_uncertainties, step_change_percent
@@ -15,8 +15,10 @@ __all__ = [
     "evaluate",
     "exit_code",
     "from_json",
+    "grade_criteria",
     "grade_quality",
     "numerical_uncertainties",
+    "overall",
     "read_result",
     "step_change_percent",
     "to_json",

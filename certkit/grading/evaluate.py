@@ -170,6 +170,15 @@ def criterion_values(procedure: Procedure, recording: Recording) -> dict[str, fl
     return {c.id: grade_criterion(c, taken.values[c.id], blank).value for c in uncovered}
 
 
+def grade_criteria(
+    procedure: Procedure, corridors: Mapping[str, CorridorSet], recording: Recording
+) -> list[CriterionResult]:
+    """Return the criteria alone, by simple acceptance: studies grade thousands of runs by it."""
+    taken = _take(procedure, condition(recording, procedure))
+    judgement = Judgement(corridors)
+    return [grade_criterion(c, taken.values[c.id], judgement) for c in procedure.criteria]
+
+
 def overall(
     criteria: Sequence[CriterionResult],
     preconditions: Sequence[PreconditionResult] = (),
