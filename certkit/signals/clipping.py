@@ -54,7 +54,7 @@ def find_clipping(values: NDArray[np.float64], amplitude_class: float | None = N
         over = np.abs(values) >= 0.9995 * amplitude_class
         both = np.flatnonzero(over[1:] & over[:-1])
         if both.size:
-            return Clipping(float(values[both[0]]), int(both[0]))
+            return Clipping(float(values[np.argmax(np.abs(values))]), int(both[0]))
     for level in (float(values.max()), float(values.min())):
         index = _flat_top(values, level)
         if index is not None:

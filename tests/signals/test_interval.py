@@ -1,0 +1,81 @@
+"""The assessment interval of a vehicle test."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from curves import Floats
+
+from certkit.signals import assessment_interval
+
+TIME = np.arange(0, 0.1, 1e-5)
+
+
+def bending(zero: float, peak: float = 200.0, back: float = -60.0) -> Floats:
+    """Return a moment that peaks, crosses zero at `zero` (s) and bends back."""
+    first = peak * np.sin(np.pi * TIME / zero)
+    return np.where(zero >= TIME, first, back * np.sin(np.pi * (TIME - zero) / (0.1 - zero)))
+
+
+def test_it_ends_with_the_last_zero_crossing_of_all_bones():
+    found = assessment_interval(TIME, {"T1": bending(0.030), "T2": bending(0.034), "F1": bending(0.041)})
+    assert found is not None
+    assert found.decided_by == "F1"
+    assert found.start == 0
+    assert found.end == pytest.approx(0.041, abs=1e-6)
+    assert found.shift == 0
+
+
+def test_only_the_first_crossing_of_each_bone_counts():
+    ringing = 100.0 * np.sin(2 * np.pi * TIME / 0.05)  # crosses at 25, 50, 75 ms
+    found = assessment_interval(TIME, {"T1": ringing, "T2": bending(0.030)})
+    assert found is not None
+    assert found.end == pytest.approx(0.030, abs=1e-6)
+
+
+def test_a_maximum_within_15_newton_metres_does_not_count():
+    ripple = np.where(TIME < 0.01, 14.0 * np.sin(np.pi * TIME / 0.01), 0.0)
+    late = np.where(TIME >= 0.01, 120.0 * np.sin(np.pi * (TIME - 0.01) / 0.03), 0.0)
+    found = assessment_interval(TIME, {"T1": ripple + late})
+    assert found is not None
+    assert found.end == pytest.approx(0.040, abs=1e-5)
+
+
+def test_a_bone_that_stays_within_15_newton_metres_takes_no_part():
+    found = assessment_interval(TIME, {"T1": bending(0.030), "F3": bending(0.08, peak=14.0)})
+    assert found is not None
+    assert found.end == pytest.approx(0.030, abs=1e-6)
+    assert found.left_out == ("F3",)
+    assert "F3 stay" in found.words or "F3" in found.words
+
+
+def test_a_bone_that_never_crosses_zero_lowers_all_curves_until_it_does():
+    never = 40.0 + 100.0 * np.exp(-(((TIME - 0.02) / 0.01) ** 2)) + 20.0 * ((TIME - 0.06) / 0.04) ** 2
+    found = assessment_interval(TIME, {"T1": bending(0.030), "T2": never})
+    assert found is not None
+    lowest = np.argmin(never[TIME > 0.02]) + np.count_nonzero(TIME <= 0.02)
+    assert found.shift == pytest.approx(never[lowest])
+    assert found.decided_by == "T2"
+    assert found.end == pytest.approx(TIME[lowest], abs=1e-4)
+    assert "lowered by" in found.words
+
+
+def test_the_curves_themselves_are_not_lowered():
+    never = 40.0 + bending(0.030, back=-10.0)
+    before = never.copy()
+    assessment_interval(TIME, {"T2": never})
+    np.testing.assert_array_equal(never, before)
+
+
+def test_no_bending_is_no_interval():
+    assert assessment_interval(TIME, {"T1": np.zeros_like(TIME)}) is None
+    assert assessment_interval(TIME, {}) is None
+
+
+def test_bending_before_contact_does_not_count():
+    time = TIME - 0.05
+    early = np.where(time < -0.01, 100.0 * np.sin(np.pi * (time + 0.05) / 0.04), 0.0)
+    late = np.where(time > 0, 100.0 * np.sin(np.pi * time / 0.02), 0.0)
+    found = assessment_interval(time, {"T1": early + late})
+    assert found is not None
+    assert found.end == pytest.approx(0.020, abs=1e-5)
