@@ -1,9 +1,8 @@
-"""The bench: the one place where the rooms meet. `run` a simulated test, `grade` a measured one, `compare` two."""
+"""The bench: the one place where the rooms meet. `run` a simulated test, `grade` a measured one, `save` what came of it."""
 
+from certkit.bench.family import run_family
+from certkit.bench.save import save, save_suite
+from certkit.bench.setup import Setup, prepare
+from certkit.bench.simulated import run, run_setup
 
-
-
-
-
-
-__all__ = ["Setup", "grade", "prepare", "run", "run_family", "save"]
+__all__ = ["Setup", "prepare", "run", "run_family", "run_setup", "save", "save_suite"]

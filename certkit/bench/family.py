@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.bench.run import run
+from certkit.bench.simulated import run
 from certkit.definitions.library import load
 from certkit.grading import with_spread
 

@@ -4,27 +4,22 @@ from __future__ import annotations
 
 import os
 import sys
+import traceback
 from typing import Annotated
 
 import typer
 
 from certkit._version import __version__
 from certkit.cli import (
-    calibrate,
     compare,
     export,
     extract,
-    figure,
     grade,
-    history,
     list_,
-    report,
     run,
     schema,
     show,
-    study,
     validate,
-    verify,
 )
 from certkit.errors import CertkitError
 
@@ -51,14 +46,8 @@ DEFINITIONS = "Definitions"
 app.command("run", rich_help_panel=TESTS)(run.run)
 app.command("grade", rich_help_panel=TESTS)(grade.grade)
 app.command("compare", rich_help_panel=TESTS)(compare.compare)
-app.command("report", rich_help_panel=TESTS)(report.report)
-app.command("figure", rich_help_panel=TESTS)(figure.figure)
 app.command("export", rich_help_panel=TESTS)(export.export)
-app.command("verify", rich_help_panel=TESTS)(verify.verify)
-app.add_typer(history.app, name="history", rich_help_panel=TESTS)
 app.command("extract", rich_help_panel=MODELS)(extract.extract)
-app.command("calibrate", rich_help_panel=MODELS)(calibrate.calibrate)
-app.command("study", rich_help_panel=MODELS)(study.study)
 app.command("list", rich_help_panel=DEFINITIONS)(list_.list_)
 app.command("show", rich_help_panel=DEFINITIONS)(show.show)
 app.command("validate", rich_help_panel=DEFINITIONS)(validate.validate)
@@ -94,6 +83,10 @@ def main() -> None:
         # The reader of our output has seen enough (`certkit list | head`); closing quietly is what it expects.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(0)
+    except Exception:  # noqa: BLE001  # Python's own exit code for a crash would read as the verdict `fail`
+        traceback.print_exc()
+        typer.echo("error: this is a fault of certkit, not of your files; please report the lines above", err=True)
+        sys.exit(CertkitError.exit_code)
     except KeyboardInterrupt:
         typer.echo("interrupted; nothing half-written is left behind", err=True)
         sys.exit(130)

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from certkit.cli import options
+from certkit.errors import CertkitError
+
+if TYPE_CHECKING:
+    from certkit.grading.result import Result
 
 Procedures = Annotated[
     list[str] | None,
@@ -42,18 +46,24 @@ def run(
     wanted = terminal.formats(formats)
     permitted = terminal.allowed(allow)
     names = terminal.procedures(procedure, every=every, library=library or ())
-    results = []
+    results: list[Result] = []
+    failures: list[CertkitError] = []
     with terminal.progress(len(names), quiet=quiet or as_json) as step:
         for name in names:
             step(name)
-            call = bench.run_family if family else bench.run
-            result = call(name, library=tuple(library or ()), overrides=tuple(overrides or ()))
-            folder = terminal.folder(out, result.procedure, several=len(names) > 1)
-            written = bench.save(result, folder, wanted)
+            try:
+                call = bench.run_family if family else bench.run
+                result = call(name, library=tuple(library or ()), overrides=tuple(overrides or ()))
+                target = terminal.folder(out, result.procedure, several=len(names) > 1)
+                written = bench.save(result, target, wanted)
+            except CertkitError as error:
+                # One procedure that cannot be run must not take the others with it.
+                failures.append(error)
+                continue
             results.append(result)
             if verbose:
                 terminal.tell_files(written)
-        if len(names) > 1:
+        if len(results) > 1:
             bench.save_suite(results, out or Path("runs"), wanted)
     terminal.show(results, as_json=as_json, folder=out or Path("runs"))
-    raise typer.Exit(terminal.exit_code(results, permitted))
+    raise typer.Exit(terminal.exit_code(results, permitted, failures))

@@ -1,0 +1,88 @@
+"""`compare`: two results, two recordings, or one of each."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.bench.sources import Source, load_source
+from certkit.definitions.library import load
+from certkit.grading.comparison_document import Side
+from certkit.grading.side_by_side import Test, side_by_side
+from certkit.signals import condition
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from certkit.definitions.library import Library
+    from certkit.definitions.mapping import Mapping
+    from certkit.definitions.procedure import Procedure
+    from certkit.grading.comparison_document import ComparisonDocument
+
+
+def compare(
+    a: Path,
+    b: Path,
+    *,
+    procedure: str | Path | None = None,
+    mapping: Mapping | None = None,
+    lenient: bool = False,
+    library: Library = (),
+    until: float | None = None,
+) -> ComparisonDocument:
+    """Compare two tests.
+
+    A is the reference, unless it was simulated and B measured: then the measured one is, as in the paper's Table 1.
+
+    Parameters
+    ----------
+    a, b : Path
+        `result.json`, the folder of a run, or measured data.
+    procedure : str or Path, optional
+        By which measured data are conditioned (offsets, time zero); the one of a result when missing.
+    mapping : Mapping, optional
+        For measured data.
+    lenient : bool
+        Likewise.
+    library : sequence of Path
+        Folders with own definitions.
+    until : float, optional
+        End of the comparison, s after contact.
+
+    Raises
+    ------
+    DataError
+        When a source cannot be read, or they share nothing.
+    """
+    first, second = (load_source(path, mapping, lenient=lenient) for path in (a, b))
+    named = procedure or next((s.result.procedure for s in (first, second) if s.result), None)
+    sheet = load("procedure", named, library=library).document if named else None
+    if first.recording.kind == "simulated" and second.recording.kind == "measured":
+        first, second = second, first
+    labels = _labels(first, second)
+    return side_by_side(
+        _test(first, labels[0], sheet, lenient=lenient),
+        _test(second, labels[1], sheet, lenient=lenient),
+        until=until,
+    )
+
+
+def _test(source: Source, label: str, sheet: Procedure | None, *, lenient: bool) -> Test:
+    recording, result = source.recording, source.result
+    if sheet is not None:
+        recording = condition(recording, sheet, lenient=lenient)
+    side = Side(
+        label=label,
+        kind=recording.kind,
+        title=result.title if result else "",
+        procedure=result.procedure if result else "",
+        verdict=result.verdict if result else None,
+        id=result.id if result else "",
+    )
+    return Test(side, recording, result)
+
+
+def _labels(first: Source, second: Source) -> tuple[str, str]:
+    """Tell two sources of the same name apart."""
+    if first.label != second.label:
+        return first.label, second.label
+    return f"{first.label} (A)", f"{second.label} (B)"
