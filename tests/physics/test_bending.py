@@ -9,7 +9,9 @@ from certkit.definitions.library import load
 from certkit.mechanics import simulate
 
 
-def equilibrium(segments: int, length: float, stiffness: float, span: float, force: float) -> tuple[float, float]:
+def equilibrium(
+    segments: int, length: float, stiffness: float, span: float, force: float
+) -> tuple[float, float]:
     """Return deflection and moment at mid-span of a chain on two rollers fixed in space, by finite rotations.
 
     Half the chain by symmetry: straight at the mid joint's two sides, angle by angle outwards. Joint i at a distance

@@ -56,9 +56,7 @@ def test_bone_chain_follows_minimal_coordinates_within_0_05_per_cent(exact: np.n
 
 
 def test_halving_the_step_quarters_the_error(exact: np.ndarray):
-    errors = [
-        worst_of_peak(moments(bone_chain(), step)[1], exact)[1] for step in (5e-5, 2.5e-5, 1.25e-5)
-    ]
+    errors = [worst_of_peak(moments(bone_chain(), step)[1], exact)[1] for step in (5e-5, 2.5e-5, 1.25e-5)]
     orders = np.log2(np.array(errors[:-1]) / np.array(errors[1:]))
     assert np.all(orders > 1.8), (errors, orders)
 
@@ -100,20 +98,25 @@ def in_exudyn(exudyn: object, chain: Chain) -> np.ndarray:
                 initialVelocities=[*speeds[i], v[2 + i]],
             )
         )
-        body = mbs.AddObject(
-            RigidBody2D(mass=chain.mass[i], inertia=chain.inertia[i], nodeNumber=node)
-        )
+        body = mbs.AddObject(RigidBody2D(mass=chain.mass[i], inertia=chain.inertia[i], nodeNumber=node))
         bodies.append((node, body))
         sensors.append(
             mbs.AddSensor(
-                SensorNode(nodeNumber=node, storeInternal=True, writeToFile=False, outputVariableType=exu.OutputVariableType.Rotation)
+                SensorNode(
+                    nodeNumber=node,
+                    storeInternal=True,
+                    writeToFile=False,
+                    outputVariableType=exu.OutputVariableType.Rotation,
+                )
             )
         )
     for i in range(chain.links - 1):
         rest = chain.length[i] - chain.arm[i]
         ends = [
             mbs.AddMarker(MarkerBodyPosition(bodyNumber=bodies[i][1], localPosition=[0, -rest, 0])),
-            mbs.AddMarker(MarkerBodyPosition(bodyNumber=bodies[i + 1][1], localPosition=[0, chain.arm[i + 1], 0])),
+            mbs.AddMarker(
+                MarkerBodyPosition(bodyNumber=bodies[i + 1][1], localPosition=[0, chain.arm[i + 1], 0])
+            ),
         ]
         mbs.AddObject(ObjectJointRevolute2D(markerNumbers=ends))
         turns = [

@@ -171,10 +171,14 @@ def test_the_segmented_beam_swings_at_its_own_and_nearly_at_the_continuous_frequ
     k = root / length
     if clamped:
         ratio = (math.cosh(root) + math.cos(root)) / (math.sinh(root) + math.sin(root))
-        shape = k * (np.sinh(k * middles) + np.sin(k * middles) - ratio * (np.cosh(k * middles) - np.cos(k * middles)))
+        shape = k * (
+            np.sinh(k * middles) + np.sin(k * middles) - ratio * (np.cosh(k * middles) - np.cos(k * middles))
+        )
     else:
         ratio = (math.cosh(root) - math.cos(root)) / (math.sinh(root) - math.sin(root))
-        shape = k * (np.sinh(k * middles) - np.sin(k * middles) - ratio * (np.cosh(k * middles) + np.cos(k * middles)))
+        shape = k * (
+            np.sinh(k * middles) - np.sin(k * middles) - ratio * (np.cosh(k * middles) + np.cos(k * middles))
+        )
     found = measured_frequency(chain, shape / np.abs(shape).max(), beam, clamped=clamped)
     assert found == pytest.approx(own, rel=5e-3)
     assert own == pytest.approx(beam, rel=0.01)

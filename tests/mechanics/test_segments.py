@@ -1,0 +1,88 @@
+"""The built leg has the regulated masses, centres of gravity and inertias."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from certkit.definitions.library import load
+from certkit.errors import RunError
+from certkit.mechanics.leg import add_leg
+from certkit.mechanics.segments import assembled, bone_segments, leg_segments
+from certkit.mechanics.world import Assembly
+
+if TYPE_CHECKING:
+    from certkit.definitions.legform import Legform
+
+
+@pytest.fixture(scope="module")
+def legform() -> Legform:
+    return load("legform", "flex-pli-gtr").document
+
+
+@pytest.mark.parametrize(
+    ("part", "top", "mass", "mass_tolerance", "cg", "cg_tolerance", "inertia", "inertia_tolerance"),
+    [
+        ("femur", 0.433, 2.46, 0.12, 0.159, 0.008, 0.0325, 0.0016),
+        ("knee", 0.094, 4.28, 0.21, 0.092, 0.005, 0.0180, 0.0009),
+        ("tibia", -0.091, 2.64, 0.13, 0.202, 0.010, 0.0467, 0.0023),
+    ],
+)
+def test_each_part_lies_within_the_tolerances_as_remembered(  # noqa: PLR0917  # one column a quantity
+    legform: Legform,
+    part: str,
+    top: float,
+    mass: float,
+    mass_tolerance: float,
+    cg: float,
+    cg_tolerance: float,
+    inertia: float,
+    inertia_tolerance: float,
+):
+    built = assembled(leg_segments(legform, part))
+    assert built[0] == pytest.approx(mass, abs=mass_tolerance)
+    assert top - built[1] == pytest.approx(cg, abs=cg_tolerance)
+    assert built[2] == pytest.approx(inertia, abs=inertia_tolerance)
+
+
+def test_each_part_meets_its_own_document_exactly(legform: Legform):
+    for part, top in (("femur", 0.433), ("knee", 0.094), ("tibia", -0.091)):
+        mass, centre, inertia = assembled(leg_segments(legform, part))
+        section = getattr(legform, part)
+        assert mass == pytest.approx(section.mass, rel=1e-12)
+        assert top - centre == pytest.approx(section.centre_of_gravity, rel=1e-12)
+        assert inertia == pytest.approx(section.inertia, rel=1e-12)
+
+
+def test_the_leg_weighs_13_2_kg_with_flesh_and_9_38_kg_without(legform: Legform):
+    for flesh, total in ((True, 13.2), (False, 9.38)):
+        assembly = Assembly()
+        add_leg(assembly, legform, leg_segments(legform), flesh=flesh)
+        assert assembly.masses()[:, 0].sum() == pytest.approx(total, abs=1e-9)
+
+
+def test_the_leg_is_928_mm_long_without_a_gap(legform: Legform):
+    segments = leg_segments(legform)
+    assert segments[0].top - segments[-1].bottom == pytest.approx(0.928)
+    assert all(
+        upper.bottom == pytest.approx(lower.top, abs=1e-12)
+        for upper, lower in zip(segments, segments[1:], strict=False)
+    )
+    assert len(segments) == 8 + 2 + 10
+    assert all(segment.mass > 0 and segment.inertia > 0 for segment in segments)
+
+
+def test_the_number_of_segments_changes_no_mass(legform: Legform):
+    finer = legform.tibia.model_copy(update={"segments": 40})
+    coarse, fine = (
+        assembled(bone_segments("tibia", legform.tibia, 0.0)),
+        assembled(bone_segments("tibia", finer, 0.0)),
+    )
+    assert fine == pytest.approx(coarse, rel=1e-12)
+
+
+def test_an_inertia_no_bone_can_have_is_refused(legform: Legform):
+    impossible = legform.tibia.model_copy(update={"inertia": 0.01})
+    with pytest.raises(RunError, match=r"no distribution of the tibia's mass"):
+        bone_segments("tibia", impossible, 0.0)
