@@ -1,4 +1,4 @@
-"""What a certificate carries inside: the result, the definitions it rests on, the channels, and a list of their hashes."""
+"""What a certificate carries inside: the result, its definitions, the channels, and the hashes of all."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
 
+from certkit.grading.document import to_json
 from certkit.reporting.machine import channels_csv
 
 if TYPE_CHECKING:
@@ -35,11 +36,11 @@ class Enclosure:
 
 
 def result_json(result: Result) -> bytes:
-    """Return the document as attached: without the solver's seconds, the one field that depends on the clock."""
+    """Return the document as attached: without the solver's seconds, which depend on the machine."""
     if result.quality is not None and result.quality.solver_seconds is not None:
         quality = result.quality.model_copy(update={"solver_seconds": None})
         result = result.model_copy(update={"quality": quality})
-    return (result.model_dump_json(indent=1) + "\n").encode()
+    return to_json(result).encode()
 
 
 def enclosures(result: Result, prefix: str = "") -> list[Enclosure]:

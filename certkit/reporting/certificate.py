@@ -1,7 +1,7 @@
 """The PDF certificate: PDF/A-3u by WeasyPrint, with its evidence attached, the same bytes every time.
 
-The embedded result document says everything; the pages show it. Fonts and styles come from the templates' folder alone:
-whatever else a document might ask for is refused, so nothing is fetched.
+The embedded result document says everything; the pages show it. Fonts and styles come from the templates'
+folder alone: whatever else a document might ask for is refused, so nothing is fetched.
 """
 
 from __future__ import annotations
@@ -51,7 +51,9 @@ def creation_date(results: Sequence[Result]) -> datetime:
         try:
             return datetime.fromtimestamp(int(epoch), UTC)
         except (ValueError, OverflowError, OSError) as error:
-            raise UsageError(f"SOURCE_DATE_EPOCH is `{epoch}`; it takes a number of seconds since 1970") from error
+            raise UsageError(
+                f"SOURCE_DATE_EPOCH is `{epoch}`; it takes a number of seconds since 1970"
+            ) from error
     for result in results:
         dates = (result.laboratory or {}).get("dates")
         issued = dates.get("issued") if isinstance(dates, dict) else None
@@ -161,3 +163,28 @@ def _number_pages(document: Any, pdf: Any) -> None:  # noqa: ANN401  # likewise
     del document
     labels = pydyf.Dictionary({"Nums": pydyf.Array([0, pydyf.Dictionary({"S": "/D"})])})
     pdf.catalog["PageLabels"] = labels
+
+
+def pdf_of_drawing(drawing: str, width: float, height: float) -> bytes:
+    """Return one of our SVG drawings as a page of exactly its size, set in the shipped font.
+
+    Parameters
+    ----------
+    drawing : str
+        SVG from `certkit.reporting.charts`.
+    width, height : float
+        Its size in CSS pixels.
+    """
+    weasyprint = _weasyprint()
+    size = (
+        f"@page {{ size: {width:g}px {height:g}px; margin: 0 }} body {{ margin: 0 }} svg {{ display: block }}"
+    )
+    faces = "".join(
+        line for line in text("styles/certificate.css").splitlines() if line.startswith("@font-face")
+    )
+    html = f"<style>{faces} {size}</style>{drawing}"
+    document = weasyprint.HTML(
+        string=html, base_url=folder().as_uri() + "/", url_fetcher=_fetcher(weasyprint)
+    )
+    pdf: bytes = document.write_pdf()
+    return pdf

@@ -1,4 +1,4 @@
-"""The laboratory's header (the items of ISO/IEC 17025, 7.8), whatever it holds, as rows, tables and a logo."""
+"""The laboratory's header (the items of ISO/IEC 17025, 7.8), whatever it holds: rows, tables and a logo."""
 
 from __future__ import annotations
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from certkit.grading.result import SIGNIFICANT_DIGITS
@@ -13,7 +14,8 @@ if TYPE_CHECKING:
 def channels_csv(result: Result) -> str | None:
     """Return `channels.csv`, or None where the document carries no raw channels.
 
-    Values keep the digits of the result document, lines end with a line feed, a missing value is an empty cell.
+    Values keep the digits of the result document, lines end with a line feed, a missing value
+    is an empty cell.
     """
     histories = result.channels
     if histories is None:
@@ -26,12 +28,13 @@ def channels_csv(result: Result) -> str | None:
     for index in range(histories.count):
         time = round(histories.start + index * histories.interval, 9)
         cells = [format(time, ".9g")]
-        cells += [
-            format(column[index], form) if index < len(column) and column[index] == column[index] else ""  # noqa: PLR0124  # a NaN is the one number that differs from itself
-            for column in columns
-        ]
+        cells += [_number(column[index], form) if index < len(column) else "" for column in columns]
         lines.append(",".join(cells))
     return "\n".join(lines) + "\n"
+
+
+def _number(value: float, form: str) -> str:
+    return format(value, form) if math.isfinite(value) else ""
 
 
 def _quoted(cell: str) -> str:

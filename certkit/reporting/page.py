@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from certkit._version import __version__
 from certkit.reporting.charts.spark import sparkline
 from certkit.reporting.payload import embedded, payload
-from certkit.reporting.templating import fill, text
+from certkit.reporting.templating import fill, folder, text
 from certkit.reporting.view import unique_views
 from certkit.reporting.worst import worst
 
@@ -32,7 +32,7 @@ def page(result: Result) -> str:
 def suite_page(results: Sequence[Result], title: str = "Certification suite") -> str:
     """Return one page with an index line a procedure and all their reports below."""
     views = unique_views(results)
-    lines = [
+    lines: list[dict[str, object]] = [
         {
             "key": shown.key,
             "procedure": shown.result.procedure,
@@ -49,7 +49,7 @@ def suite_page(results: Sequence[Result], title: str = "Certification suite") ->
 
 
 def _page(results: Sequence[Result], index: Sequence[dict[str, object]], title: str) -> str:
-    style = text("styles/page.css")
+    style = _style()
     script = "(() => {\n" + "\n".join(text(name) for name in _SCRIPTS) + "})();"
     return fill(
         "page.html.j2",
@@ -66,10 +66,23 @@ def _page(results: Sequence[Result], index: Sequence[dict[str, object]], title: 
     )
 
 
+def _style() -> str:
+    """Return the style sheet with its fonts inside: the subset files of the font's own maker."""
+    style = text("styles/page.css")
+    for key, name in (
+        ("regular", "Regular-Latin1"),
+        ("signs", "Regular-Pi"),
+        ("semibold", "SemiBold-Latin1"),
+    ):
+        data = base64.b64encode((folder() / "fonts" / f"IBMPlexSans-{name}.woff2").read_bytes()).decode()
+        style = style.replace("{{" + key + "}}", f"data:font/woff2;base64,{data}")
+    return style
+
+
 def _policy(style: str, script: str) -> str:
     """Return the content security policy: no network, no code but ours."""
     hashes = [base64.b64encode(hashlib.sha256(part.encode()).digest()).decode() for part in (style, script)]
     return (
         f"default-src 'none'; style-src 'sha256-{hashes[0]}'; script-src 'sha256-{hashes[1]}'; "
-        "img-src data:; base-uri 'none'; form-action 'none'"
+        "font-src data:; img-src data:; base-uri 'none'; form-action 'none'"
     )

@@ -1,9 +1,9 @@
 """Colours that survive colour-blind eyes and a grey printer.
 
-Curves take Okabe and Ito's colours, darkened where they were too light for lines on white, and each comes with a dash
-pattern of its own, so that colour never carries a meaning alone. Every text colour has a contrast of at least 4.5 on white.
-SVG carries these colours as attributes (WeasyPrint reads no page style inside SVG); the HTML page overrides them by class
-in its dark theme.
+Curves take Okabe and Ito's colours, darkened where they were too light for lines on white, and each comes
+with a dash pattern of its own, so that colour never carries a meaning alone. Every text colour has a
+contrast of at least 4.5 on white. SVG carries these colours as attributes (WeasyPrint reads no page style
+inside SVG); the HTML page overrides them by class in its dark theme.
 """
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ PENS = (
     Pen("#2f7fb5", "12 4"),
 )
 
-# Anchors of the diverging colour scale of bending moments: −1, −½, 0, +½, +1. Lightness falls evenly to both sides, so a
-# grey print still shows the magnitude.
+# Anchors of the diverging colour scale of bending moments: −1, −½, 0, +½, +1. Lightness falls evenly to both
+# sides, so a grey print still shows the magnitude.
 _ANCHORS = ((8, 69, 148), (107, 163, 209), (232, 230, 224), (240, 155, 84), (166, 47, 14))
 
 

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 MOST_FRAMES = 120
 POSE_UNIT = 1e-4
-"""Positions travel as whole tenths of a millimetre, angles as whole tenths of a milliradian, each as the step from the frame
-before: 81 frames of 20 pieces take 9 KB instead of 100 KB."""
+"""Positions travel as whole tenths of a millimetre, angles as whole tenths of a milliradian, each as the step
+from the frame before: 81 frames of 20 pieces take 9 KB instead of 100 KB."""
 
 
 def payload(result: Result) -> dict[str, Any]:

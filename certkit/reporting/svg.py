@@ -1,15 +1,18 @@
 """A small SVG writer: strings in, strings out, escaped on the way.
 
-The same figures stand in HTML and PDF, so they are made once as plain SVG. matplotlib would do it too, but its import alone
-took 0.96 s and eleven figures 540 KB; these cost some milliseconds and 30 KB.
+The same figures stand in HTML and PDF, so they are made once as plain SVG. matplotlib would do it too, but
+its import alone took 0.96 s and eleven figures 540 KB; these cost some milliseconds and 30 KB.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from html import escape
+from typing import TYPE_CHECKING
 
 from certkit.reporting.palette import INK
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 FONT = "'IBM Plex Sans', system-ui, -apple-system, 'Segoe UI', sans-serif"
 

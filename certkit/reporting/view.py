@@ -1,4 +1,4 @@
-"""What the templates of the page and of the certificate show: the result's parts, worded and drawn once for both."""
+"""What the templates of page and certificate show: the result's parts, worded and drawn once for both."""
 
 from __future__ import annotations
 
@@ -43,9 +43,10 @@ class Row:
     sign: str
     graded: bool
     confidence: str
-    source: str
+    source_number: int | None
     how: str
-    remarks: list[str]
+    unsure: list[str]
+    reason: str
     chart: str | None
 
 
@@ -71,6 +72,7 @@ class View:
     tally: str
     nearest: str
     rows: list[Row]
+    sources: list[str]
     histories: list[Drawing]
     planes: list[Drawing]
     frames: str | None
@@ -92,31 +94,31 @@ def slug(text: str) -> str:
     return re.sub(r"[^A-Za-z0-9]+", "-", text).strip("-") or "x"
 
 
-def _remarks(criterion: CriterionResult, decimals: int) -> list[str]:
-    remarks = [criterion.reason] if criterion.reason else []
+def _unsure(criterion: CriterionResult, decimals: int) -> list[str]:
+    remarks: list[str] = []
     unsure = criterion.uncertainty
     if unsure:
         parts = (
             ("numerical", unsure.numerical),
-            ("expanded (k = 2)", unsure.expanded),
+            ("U, k = 2", unsure.expanded),
             ("guard band", unsure.guard_band),
         )
-        remarks += [f"{name} ±{words.plain(v, 2)} {criterion.unit}" for name, v in parts if v]
+        remarks += [f"± {words.plain(v, 2)} {name}" for name, v in parts if v]
         if unsure.false_accept is not None:
-            remarks.append(f"probability of a false accept {words.plain(unsure.false_accept * 100, 2)} %")
+            remarks.append(f"false accept {words.plain(unsure.false_accept * 100, 2)} %")
     if criterion.spread:
         low, high = (words.fixed(v, decimals) for v in (criterion.spread.minimum, criterion.spread.maximum))
-        remarks.append(f"{low} – {high} {criterion.unit} over {criterion.spread.members} certified legs")
+        remarks.append(f"{low} – {high} over {criterion.spread.members} legs")
     return remarks
 
 
-def _row(criterion: CriterionResult, key: str, drawn: set[str]) -> Row:
+def _row(criterion: CriterionResult, key: str, drawn: set[str], sources: list[str]) -> Row:
     decimals = words.criterion_decimals(criterion)
     target = _target(criterion)
     how = " · ".join(part for part in (criterion.measure, criterion.filter) if part and part != "none")
     return Row(
         id=criterion.id,
-        title=criterion.title,
+        title=words.rest(criterion.id, criterion.title),
         value=words.fixed(criterion.value, decimals),
         unit=criterion.unit if criterion.value is not None else "",
         corridor=_corridor(criterion),
@@ -127,9 +129,10 @@ def _row(criterion: CriterionResult, key: str, drawn: set[str]) -> Row:
         sign=words.SIGNS[criterion.verdict] if criterion.graded else "·",
         graded=criterion.graded,
         confidence=criterion.confidence or "",
-        source=criterion.source,
+        source_number=sources.index(criterion.source) + 1 if criterion.source else None,
         how=how,
-        remarks=_remarks(criterion, decimals),
+        unsure=_unsure(criterion, decimals),
+        reason=criterion.reason,
         chart=f"{key}-chart-{slug(target)}" if target in drawn else None,
     )
 
@@ -167,7 +170,10 @@ def view(result: Result, *, suffix: str = "") -> View:
     histories = (
         [
             Drawing(
-                f"{key}-chart-{slug(name)}", name, history_chart(curves, name, c), c.id if c is not None else None
+                f"{key}-chart-{slug(name)}",
+                name,
+                history_chart(curves, name, c),
+                c.id if c is not None else None,
             )
             for name, c in channels.items()
         ]
@@ -180,6 +186,7 @@ def view(result: Result, *, suffix: str = "") -> View:
         if c.curve
     ]
     targets = {_target(c) for c in result.criteria if c.curve} | (set(channels) if drawable else set())
+    sources = list(dict.fromkeys(c.source for c in result.criteria if c.source))
     nearest = worst(result)
     heading, subject = KINDS[result.kind]
     energies = result.energies
@@ -188,10 +195,11 @@ def view(result: Result, *, suffix: str = "") -> View:
         key=key,
         heading=heading,
         subject=subject,
-        meaning=words.meaning(result.verdict),
+        meaning=words.meaning(result.verdict) if result.verdict in {"not evaluated", "error"} else "",
         tally=tally(result),
         nearest=margin_words(nearest),
-        rows=[_row(criterion, key, targets) for criterion in result.criteria],
+        rows=[_row(criterion, key, targets, sources) for criterion in result.criteria],
+        sources=sources,
         histories=histories,
         planes=planes,
         frames=frames_chart(result.motion) if result.motion and result.motion.poses else None,

@@ -38,6 +38,16 @@ def meaning(verdict: Verdict) -> str:
     return _MEANINGS[verdict]
 
 
+def named(name: str, title: str) -> str:
+    """Return `T1 Tibia moment 1` and `MCL elongation`: a name is not said twice."""
+    return title if title.casefold().startswith(name.casefold()) else f"{name} {title}"
+
+
+def rest(name: str, title: str) -> str:
+    """Return what a title says beyond its name."""
+    return title[len(name) :].strip() if title.casefold().startswith(name.casefold()) else title
+
+
 def fixed(value: float | None, decimals: int) -> str:
     """Write a number with so many decimals and a true minus sign."""
     if value is None or not math.isfinite(value):

@@ -1,4 +1,4 @@
-"""Which criterion came nearest to its limit: picked from the margins that grading wrote, nothing is judged here."""
+"""Which criterion came nearest to its limit: picked from the margins that grading wrote, not judged here."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def relative_margin(criterion: CriterionResult) -> float | None:
 
 
 def worst(result: Result) -> CriterionResult | None:
-    """Return the graded criterion that came nearest to a limit or went furthest beyond it, else any with a curve."""
+    """Return the graded criterion nearest to a limit or furthest beyond it, else any with a curve."""
     rated = [(m, c) for c in result.criteria if c.graded and (m := relative_margin(c)) is not None]
     if rated:
         return min(rated, key=lambda pair: pair[0])[1]
@@ -48,7 +48,7 @@ def margin_words(criterion: CriterionResult | None) -> str:
 
 
 def tally(result: Result) -> str:
-    """Write how the criteria came out: `7 of 7 graded criteria inside their corridors; 3 shown, not graded`."""
+    """Write how the criteria came out: `7 of 7 graded criteria within corridor; 3 shown, not graded`."""
     graded = [c for c in result.criteria if c.graded]
     shown = len(result.criteria) - len(graded)
     if not graded:
@@ -57,7 +57,8 @@ def tally(result: Result) -> str:
     noun = "criterion" if len(graded) == 1 else "criteria"
     words = f"{passed} of {len(graded)} graded {noun} within corridor"
     others = {
-        word: sum(c.verdict == word for c in graded) for word in ("fail", "conditional", "not evaluated", "error")
+        word: sum(c.verdict == word for c in graded)
+        for word in ("fail", "conditional", "not evaluated", "error")
     }
     words += "".join(f"; {count} {word}" for word, count in others.items() if count)
     return words + (f"; {shown} shown, not graded." if shown else ".")

@@ -1,6 +1,6 @@
 // Time histories: a shared cursor and a shared time window over all charts of one report.
 // Geometry is that of charts/frame.py: the drawing area starts 46 px from the left, ends 12 px from the right,
-// 26 px from the top and 32 px from the bottom.
+// 28 px from the top and 22 px from the bottom.
 const SVG = "http://www.w3.org/2000/svg";
 
 function element(name, attributes, parent) {
@@ -34,7 +34,7 @@ function roundTicks(low, high, most) {
 function setUpCurve(figure, channel, axis, shared) {
   const svg = figure.querySelector("svg");
   const [, , width, height] = svg.getAttribute("viewBox").split(" ").map(Number);
-  const box = { left: 46, right: width - 12, top: 26, bottom: height - 32 };
+  const box = { left: 46, right: width - 12, top: 28, bottom: height - 22 };
   const [low, high] = channel.range;
   const y = (v) => box.bottom - ((v - low) / (high - low)) * (box.bottom - box.top);
   const x = (t) => box.left + ((t - shared.from) / (shared.to - shared.from)) * (box.right - box.left);
@@ -42,14 +42,11 @@ function setUpCurve(figure, channel, axis, shared) {
   const curve = svg.querySelector(".curve");
   const marks = svg.querySelector(".xticks");
   const peak = svg.querySelector(".peak");
-  const words = svg.querySelector(".mark");
   const bands = channel.band ? [...svg.querySelectorAll("path.limit")] : [];
   const drag = element("rect", { class: "drag", y: box.top, height: box.bottom - box.top, width: 0 }, svg);
   const line = element("line", { class: "cursor", y1: box.top, y2: box.bottom }, svg);
   const dot = element("circle", { class: "cursor-dot", r: 3 }, svg);
-  const readout = figure.appendChild(document.createElement("div"));
-  readout.className = "readout";
-  readout.setAttribute("aria-hidden", "true");
+  const readout = element("text", { class: "readout", x: box.right, y: box.top + 11, "text-anchor": "end", "aria-hidden": "true" }, svg);
 
   // At most two points a pixel: the lowest and the highest of what falls together.
   function trace(values, times) {
@@ -77,11 +74,8 @@ function setUpCurve(figure, channel, axis, shared) {
     if (peak) {
       const [t] = channel.peak;
       const inside = t >= shared.from && t <= shared.to;
-      const late = x(t) > box.left + 0.6 * (box.right - box.left);
       peak.setAttribute("cx", x(t));
-      words.setAttribute("x", x(t) + (late ? -9 : 9));
-      words.setAttribute("text-anchor", late ? "end" : "start");
-      for (const node of [peak, words]) node.setAttribute("display", inside ? "inline" : "none");
+      peak.setAttribute("display", inside ? "inline" : "none");
     }
     point();
   }

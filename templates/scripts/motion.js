@@ -127,8 +127,7 @@ function setUpMotion(report, data, shared) {
   function stop() {
     cancelAnimationFrame(running);
     running = 0;
-    play.textContent = "▶";
-    play.setAttribute("aria-label", "Play");
+    play.textContent = "▶ Play";
   }
   play.addEventListener("click", () => {
     if (running) {
@@ -137,8 +136,7 @@ function setUpMotion(report, data, shared) {
     }
     if (shared.time >= last - 1e-9) shared.goTo(first);
     before = 0;
-    play.textContent = "❚❚";
-    play.setAttribute("aria-label", "Pause");
+    play.textContent = "❚❚ Pause";
     running = requestAnimationFrame(tick);
   });
   scrub.addEventListener("input", () => {

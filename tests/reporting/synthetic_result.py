@@ -1,4 +1,4 @@
-"""A made-up result document with everything in it that a report can show. No physics: only its shape is right."""
+"""A made-up result document with everything that a report can show. No physics: only its shape is right."""
 
 from __future__ import annotations
 
@@ -64,14 +64,11 @@ def histories(interval: float, count: int) -> dict[str, Any]:
 def motion(frames: int = 81, step: float = 0.001) -> dict[str, Any]:
     """Return a leg of 20 pieces that bends about its knee against a stopper."""
     shapes: list[dict[str, Any]] = []
-    stations: list[tuple[float, float, str]] = []
-    for index in range(8):
-        stations.append((0.094 + 0.0424 * (index + 0.5), 0.0424, "femur"))
+    stations = [(0.094 + 0.0424 * (index + 0.5), 0.0424, "femur") for index in range(8)]
     stations += [(0.047, 0.094, "upper knee block"), (-0.0455, 0.091, "lower knee block")]
-    for index in range(10):
-        stations.append((-0.091 - 0.0404 * (index + 0.5), 0.0404, "tibia"))
+    stations += [(-0.091 - 0.0404 * (index + 0.5), 0.0404, "tibia") for index in range(10)]
     names: dict[str, int] = {}
-    for z, height, part in stations:
+    for _, height, part in stations:
         names[part] = names.get(part, 0) + 1
         knee = "knee" in part
         name = part if knee else f"{part} {names[part]}"
@@ -83,8 +80,6 @@ def motion(frames: int = 81, step: float = 0.001) -> dict[str, Any]:
             (-half, height / 2),
         ]
         shapes.append({"name": name, "kind": "knee" if knee else "bone", "outline": box})
-        if z > 0:
-            continue
     poses, moments = [], []
     for frame in range(frames):
         bend = 0.35 * math.sin(math.pi * min(frame * step / 0.05, 1.4))
@@ -95,7 +90,9 @@ def motion(frames: int = 81, step: float = 0.001) -> dict[str, Any]:
             colours.append(250 * bend / 0.35 * max(0.0, 1 - abs(z) / 0.52))
         poses.append(row)
         moments.append(colours)
-    bar = [(0.03 * math.cos(a / 8 * math.pi) + 0.075, 0.03 * math.sin(a / 8 * math.pi) - 0.04) for a in range(16)]
+    bar = [
+        (0.03 * math.cos(a / 8 * math.pi) + 0.075, 0.03 * math.sin(a / 8 * math.pi) - 0.04) for a in range(16)
+    ]
     return {
         "times": [frame * step for frame in range(frames)],
         "shapes": shapes,
@@ -151,7 +148,7 @@ def criteria() -> list[dict[str, Any]]:
     return rows
 
 
-def document(**changes: Any) -> dict[str, Any]:
+def document(**changes: object) -> dict[str, Any]:
     """Return the document as plain data, with top-level fields replaced by `changes`."""
     texts = {
         "procedure": ("procedures/pendulum.yaml", PROCEDURE_TEXT),
@@ -259,7 +256,12 @@ def document(**changes: Any) -> dict[str, Any]:
         "provenance": {
             "certkit": "0.1.0",
             "inputs": [
-                {"role": role, "path": path, "sha256": hashlib.sha256(text.encode()).hexdigest(), "text": text}
+                {
+                    "role": role,
+                    "path": path,
+                    "sha256": hashlib.sha256(text.encode()).hexdigest(),
+                    "text": text,
+                }
                 for role, (path, text) in texts.items()
             ],
             "packages": {"numba": "0.68.1", "numpy": "2.4.6", "pymunk": "7.3.1"},
@@ -302,7 +304,7 @@ def static_document() -> dict[str, Any]:
 
 
 def laboratory_document() -> dict[str, Any]:
-    """Return a measured test with a laboratory's header, a failed criterion and one that could not be measured."""
+    """Return a measured test: a laboratory's header, a failed criterion, one that could not be measured."""
     rows = criteria()
     rows[3] |= {"value": 112.4, "margin": -1.4, "verdict": "fail"}
     rows[4] |= {"value": 20.8, "margin": 0.3, "verdict": "conditional", "reason": "inside the guard band"}
@@ -348,7 +350,7 @@ def laboratory_document() -> dict[str, Any]:
     )
 
 
-def result(**changes: Any) -> Result:
+def result(**changes: object) -> Result:
     """Return the pendulum result."""
     return Result.model_validate(document(**changes))
 

@@ -21,10 +21,16 @@ class Frame:
 
     @classmethod
     def around(
-        cls, x: tuple[float, float], y: tuple[float, float], *, width: float = 360, height: float = 200
+        cls,
+        x: tuple[float, float],
+        y: tuple[float, float],
+        *,
+        width: float = 360,
+        height: float = 200,
+        below: float = 22,
     ) -> Frame:
-        """Leave room for ticks at the left and below, and for a title above."""
-        return cls(width, height, Scale(*x, 46, width - 12), Scale(*y, height - 32, 26))
+        """Leave room for ticks and titles. The page's scripts know these numbers."""
+        return cls(width, height, Scale(*x, 46, width - 12), Scale(*y, height - below, 28))
 
     @property
     def left(self) -> float:
@@ -51,7 +57,10 @@ class Frame:
         return self.x(x), self.y(y)
 
     def axes(self, title: str, x_title: str, y_unit: str) -> str:
-        """Draw the grid, the zero line, both axes' ticks and the titles."""
+        """Draw the grid, the zero line, both axes' ticks and the titles.
+
+        A short title of the abscissa (a unit) stands in line with its ticks, a long one below them.
+        """
         drawn = []
         for value in ticks(self.y.low, self.y.high, 6):
             y = self.y(value)
@@ -77,7 +86,15 @@ class Frame:
         for value in ticks(self.x.low, self.x.high, 7):
             x = self.x(value)
             marks.append(
-                tag("line", x1=x, x2=x, y1=self.bottom, y2=self.bottom + 4, stroke=palette.MUTED, class_="zero")
+                tag(
+                    "line",
+                    x1=x,
+                    x2=x,
+                    y1=self.bottom,
+                    y2=self.bottom + 4,
+                    stroke=palette.MUTED,
+                    class_="zero",
+                )
                 + label(
                     x, self.bottom + 15, plain(value), text_anchor="middle", fill=palette.MUTED, class_="tick"
                 )
@@ -95,12 +112,16 @@ class Frame:
             )
         )
         drawn.append(label(6, 14, title, font_weight="600", class_="title"))
-        drawn.append(
-            label(self.right, 14, y_unit, text_anchor="end", fill=palette.MUTED, class_="tick unit")
-        )
+        drawn.append(label(self.right, 14, y_unit, text_anchor="end", fill=palette.MUTED, class_="tick unit"))
+        short = len(x_title) < 4
         drawn.append(
             label(
-                self.right, self.height - 3, x_title, text_anchor="end", fill=palette.MUTED, class_="tick"
+                self.left - 6 if short else self.right,
+                self.bottom + 15 if short else self.height - 4,
+                x_title,
+                text_anchor="end",
+                fill=palette.MUTED,
+                class_="tick",
             )
         )
         return "".join(drawn)

@@ -55,7 +55,7 @@ def largest_moment(motion: Motion) -> float:
 
 
 def key_frames(motion: Motion, most: int = 6) -> list[int]:
-    """Choose instants: the first, the one of the largest moment, and others evenly up to the end of the action."""
+    """Choose instants: the first, the one of the largest moment, and others evenly around it."""
     count = len(motion.poses)
     if count <= most:
         return list(range(count))

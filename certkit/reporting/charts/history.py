@@ -8,7 +8,7 @@ from certkit.reporting import palette
 from certkit.reporting.charts.frame import Frame
 from certkit.reporting.scales import span, thinned
 from certkit.reporting.svg import label, path, picture, tag
-from certkit.reporting.words import criterion_decimals, fixed, milliseconds
+from certkit.reporting.words import criterion_decimals, fixed, milliseconds, named
 
 if TYPE_CHECKING:
     from certkit.grading.result import CriterionResult, Histories, Series
@@ -65,7 +65,11 @@ def history_chart(
     axis = times(histories)
     frame, peak, limits = history_frame(series, axis, criterion, width=width, height=height)
     shade = _band(frame, criterion, limits)
-    drawn = shade + frame.axes(f"{name}  {series.title}" if name != series.title else name, "ms", series.unit)
+    head = _head(criterion, series.unit) if peak else series.unit
+    drawn = shade + frame.axes(named(name, series.title), "ms", "" if peak else head)
+    if peak and criterion:
+        css = "head v-" + criterion.verdict.replace(" ", "-")
+        drawn += label(frame.right, 14, head, text_anchor="end", font_weight="600", class_=css)
     curve = thinned(list(zip(axis, series.values, strict=False)))
     drawn += tag(
         "path",
@@ -129,19 +133,18 @@ def _band(frame: Frame, criterion: CriterionResult | None, limits: list[float]) 
     return drawn
 
 
+def _head(criterion: CriterionResult | None, unit: str) -> str:
+    if criterion is None:
+        return unit
+    return (
+        f"{fixed(criterion.value, criterion_decimals(criterion))} {unit} at {milliseconds(criterion.time)} ms"
+    )
+
+
 def _peak(frame: Frame, criterion: CriterionResult, peak: tuple[float, float]) -> str:
     x, y = frame.place(*peak)
-    late = x > frame.left + 0.6 * (frame.right - frame.left)
-    words = f"{fixed(criterion.value, criterion_decimals(criterion))} at {milliseconds(criterion.time)} ms"
     colour = palette.VERDICT[criterion.verdict]
     css = "v-" + criterion.verdict.replace(" ", "-")
     return tag(
         "circle", cx=x, cy=y, r=3.6, fill=palette.PAPER, stroke=colour, stroke_width=2, class_=f"peak {css}"
-    ) + label(
-        x + (-9 if late else 9),
-        min(max(y - 5, frame.top + 8), frame.bottom - 4),
-        words,
-        text_anchor="end" if late else "start",
-        font_weight="600",
-        class_="mark",
     )

@@ -18,7 +18,7 @@ def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: 
     everything = [*curve.points, *(curve.polygon or [])]
     x = span([0.0, *(p[0] for p in everything)], margin=0.05)
     y = span([0.0, *(p[1] for p in everything)], margin=0.05)
-    frame = Frame.around(x, y, width=width, height=height)
+    frame = Frame.around(x, y, width=width, height=height, below=36)
     drawn = ""
     if curve.polygon:
         drawn += tag(
@@ -46,7 +46,7 @@ def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: 
     if not curve.polygon:
         drawn += label(
             frame.right - 4,
-            frame.bottom - 8,
+            frame.bottom - 18,
             "no corridor known: shown, not graded",
             text_anchor="end",
             fill=palette.MUTED,

@@ -43,20 +43,28 @@ def position_bar(criterion: CriterionResult, decimals: int) -> str | None:
     start = scale(criterion.lower) if criterion.lower is not None else _LEFT
     end = scale(criterion.upper) if criterion.upper is not None else _RIGHT
     drawn = [
-        tag("rect", x=_LEFT, y=_MIDDLE - 4, width=_RIGHT - _LEFT, height=8, fill=palette.GRID, class_="track"),
         tag(
-            "rect", x=start, y=_MIDDLE - 4, width=end - start, height=8, fill=palette.CORRIDOR, class_="corridor"
+            "rect", x=_LEFT, y=_MIDDLE - 4, width=_RIGHT - _LEFT, height=8, fill=palette.GRID, class_="track"
+        ),
+        tag(
+            "rect",
+            x=start,
+            y=_MIDDLE - 4,
+            width=end - start,
+            height=8,
+            fill=palette.CORRIDOR,
+            class_="corridor",
         ),
     ]
     guard = criterion.uncertainty.guard_band if criterion.uncertainty else None
     if guard:
         width = abs(scale(guard) - scale(0.0))
-        for x in ([start] if criterion.lower is not None else []) + (
-            [end - width] if criterion.upper is not None else []
-        ):
-            drawn.append(
-                tag("rect", x=x, y=_MIDDLE - 4, width=width, height=8, fill=palette.GUARD, class_="guard")
-            )
+        edges = [start] if criterion.lower is not None else []
+        edges += [end - width] if criterion.upper is not None else []
+        drawn += [
+            tag("rect", x=x, y=_MIDDLE - 4, width=width, height=8, fill=palette.GUARD, class_="guard")
+            for x in edges
+        ]
     drawn += [
         tag("line", x1=x, x2=x, y1=_MIDDLE - 6, y2=_MIDDLE + 6, stroke=palette.CORRIDOR_EDGE, class_="limit")
         for x, limit in ((start, criterion.lower), (end, criterion.upper))

@@ -51,7 +51,13 @@ def _draw(
         )
     elif limits:
         drawn += tag(
-            "line", x1=0, x2=WIDTH, y1=y(limits[0]), y2=y(limits[0]), stroke=palette.CORRIDOR_EDGE, class_="limit"
+            "line",
+            x1=0,
+            x2=WIDTH,
+            y1=y(limits[0]),
+            y2=y(limits[0]),
+            stroke=palette.CORRIDOR_EDGE,
+            class_="limit",
         )
     drawn += tag(
         "path",

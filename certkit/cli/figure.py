@@ -1,0 +1,49 @@
+"""`certkit figure`: one figure of a result, for slides and papers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+Document = Annotated[Path, typer.Argument(metavar="RESULT.json", help="Result document.")]
+
+
+def figure(
+    result: Document,
+    *,
+    what: Annotated[
+        str,
+        typer.Option(
+            "--what",
+            help=(
+                "corridor: criteria in their corridors; history: channels over time; frames: the rig at "
+                "a few instants; table: the error table; errors: its bars; curve: curves of static tests; "
+                "energy: energies over time."
+            ),
+        ),
+    ] = "corridor",
+    formats: Annotated[str, typer.Option("--format", help="svg, png, or both with a comma.")] = "svg",
+    channel: Annotated[
+        list[str] | None, typer.Option("--channel", help="Only this channel or criterion. Repeatable.")
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", help="File without its ending.", show_default="PROCEDURE-WHAT beside the JSON"),
+    ] = None,
+) -> None:
+    """Draw one figure.
+
+    `certkit figure runs/pendulum/result.json --what history --channel T1 --format svg,png`
+    """
+    from certkit.files import write_whole  # noqa: PLC0415  # nothing of this is needed for `--help`
+    from certkit.grading.document import read_result  # noqa: PLC0415  # likewise
+    from certkit.reporting import figure as draw  # noqa: PLC0415  # likewise
+
+    document = read_result(result)
+    base = out or result.parent / f"{document.procedure}-{what}"
+    for form in [name.strip() for name in formats.split(",") if name.strip()]:
+        path = base.with_name(f"{base.name}.{form}")
+        write_whole(path, draw(document, what, form, channels=channel or ()))
+        typer.echo(f"wrote {path}", err=True)

@@ -1,0 +1,111 @@
+"""Figures that stand alone, for slides and papers: SVG, and PNG made from the same drawing."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal, get_args
+
+from certkit.errors import UsageError
+from certkit.reporting.charts.errors import errors_chart
+from certkit.reporting.charts.frames import frames_chart
+from certkit.reporting.charts.history import history_chart, times
+from certkit.reporting.charts.lines import lines_chart
+from certkit.reporting.charts.plane import plane_chart
+from certkit.reporting.charts.sheet import sheet
+from certkit.reporting.charts.tables import corridors_table, errors_table
+from certkit.reporting.view import ordered_channels
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from certkit.grading.result import Result
+
+What = Literal["corridor", "history", "frames", "table", "curve", "errors", "energy"]
+WHAT: tuple[str, ...] = get_args(What)
+FORMATS = ("svg", "png")
+
+
+def figure(result: Result, what: str, form: str = "svg", *, channels: Sequence[str] = ()) -> bytes:
+    """Draw one figure of a result.
+
+    Parameters
+    ----------
+    result : Result
+        The document.
+    what : str
+        `corridor`: all criteria in their corridors; `history`: channels over time; `frames`: the rig at a few
+        instants; `table`: the error table; `errors`: its bars; `curve`: curves of static tests; `energy`:
+        energies over time.
+    form : {'svg', 'png'}
+        PNG needs the extra `png`.
+    channels : sequence of str
+        For `history` and `curve`: only these channels or criteria; all by default.
+
+    Returns
+    -------
+    bytes
+        The file's content.
+
+    Raises
+    ------
+    UsageError
+        When the figure, format or channel is unknown, or the result holds nothing to draw it from.
+    """
+    if what not in WHAT:
+        raise UsageError(f"unknown figure `{what}`; use {', '.join(WHAT)}")
+    if form not in FORMATS:
+        raise UsageError(f"unknown figure format `{form}`; use {' or '.join(FORMATS)}")
+    drawing = _draw(result, what, channels)
+    if drawing is None:
+        raise UsageError(f"{result.procedure}: the result holds nothing to draw `{what}` from")
+    if form == "svg":
+        return (drawing + "\n").encode()
+    from certkit.reporting.raster import png  # noqa: PLC0415  # WeasyPrint and PDFium load for PNG alone
+
+    return png(drawing)
+
+
+def _draw(result: Result, what: str, channels: Sequence[str]) -> str | None:
+    painters: dict[str, Callable[[], str | None]] = {
+        "corridor": lambda: corridors_table(result),
+        "history": lambda: _histories(result, channels),
+        "curve": lambda: _curves(result, channels),
+        "frames": lambda: frames_chart(result.motion) if result.motion and result.motion.poses else None,
+        "energy": lambda: _energies(result),
+        "table": lambda: errors_table(c) if (c := result.comparison) and c.rows else None,
+        "errors": lambda: errors_chart(c) if (c := result.comparison) and c.rows else None,
+    }
+    return painters[what]()
+
+
+def _energies(result: Result) -> str | None:
+    energies = result.energies
+    if energies is None or energies.count < 2:
+        return None
+    lines = [(s.title, times(energies), s.values) for s in energies.series.values()]
+    return lines_chart(lines, "Energy", "ms", "J")
+
+
+def _histories(result: Result, channels: Sequence[str]) -> str | None:
+    curves = result.curves
+    if curves is None or curves.count < 2:
+        return None
+    known = ordered_channels(result)
+    _check(channels, list(known))
+    chosen = list(channels) or list(known)
+    drawings = [history_chart(curves, name, known[name]) for name in chosen]
+    return drawings[0] if len(drawings) == 1 else sheet(drawings, f"Time histories of {result.title}")
+
+
+def _curves(result: Result, channels: Sequence[str]) -> str | None:
+    known = {c.id: c for c in result.criteria if c.curve}
+    _check(channels, list(known))
+    drawings = [plane_chart(c.curve, c.title) for name in (channels or known) if (c := known[name]).curve]
+    if not drawings:
+        return None
+    return drawings[0] if len(drawings) == 1 else sheet(drawings, f"Curves of {result.title}")
+
+
+def _check(wanted: Sequence[str], known: Sequence[str]) -> None:
+    for name in wanted:
+        if name not in known:
+            raise UsageError(f"there is no `{name}` to draw; there are {', '.join(known) or 'none'}")

@@ -1,0 +1,127 @@
+"""JUnit XML: each criterion, precondition and quality check a test case, with its numbers as properties.
+
+| verdict | in JUnit |
+|---|---|
+| pass | passed |
+| fail, conditional | failure, typed by the verdict |
+| error | error |
+| not evaluated (required) | error: a gate must not go green because a channel is missing |
+| informative | skipped |
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+from xml.etree import ElementTree as ET
+
+from certkit.reporting.words import corridor, criterion_decimals, fixed
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from certkit.grading.result import CriterionResult, Result, Verdict
+
+
+def junit(results: Sequence[Result]) -> bytes:
+    """Return the XML of one or several results, a test suite each."""
+    root = ET.Element("testsuites", name="certkit")
+    for result in results:
+        root.append(_suite(result))
+    for count in ("tests", "failures", "errors", "skipped"):
+        root.set(count, str(sum(int(suite.get(count, "0")) for suite in root)))
+    ET.indent(root, " ")
+    xml: bytes = ET.tostring(root, encoding="utf-8", xml_declaration=True)
+    return xml + b"\n"
+
+
+def _suite(result: Result) -> ET.Element:
+    suite = ET.Element("testsuite", name=f"certkit.{result.procedure}")
+    _properties(
+        suite,
+        {
+            "certificate": result.id,
+            "kind": result.kind,
+            "verdict": result.verdict,
+            "method": result.method,
+            "remarks": " ".join(result.remarks),
+        },
+    )
+    for criterion in result.criteria:
+        _criterion(suite, result, criterion)
+    for condition in result.preconditions:
+        case = _case(suite, result, f"precondition: {condition.quantity}")
+        _properties(case, {"value": condition.value, "unit": condition.unit})
+        _properties(case, {"lower": condition.lower, "upper": condition.upper})
+        _outcome(case, condition.verdict, condition.reason or f"{condition.quantity}: {condition.verdict}")
+    for check in result.quality.checks if result.quality else []:
+        case = _case(suite, result, f"quality: {check.title}")
+        _properties(case, {"value": check.value, "unit": check.unit, "upper": check.limit})
+        _outcome(case, check.verdict, f"{check.title} {check.value:g} {check.unit}, limit {check.limit:g}")
+    case = _case(suite, result, "verdict")
+    _outcome(case, result.verdict, " ".join([f"{result.title}: {result.verdict}.", *result.remarks]))
+    kinds = {"failures": "failure", "errors": "error", "skipped": "skipped"}
+    suite.set("tests", str(len(suite.findall("testcase"))))
+    for count, kind in kinds.items():
+        suite.set(count, str(len(suite.findall(f"testcase/{kind}"))))
+    return suite
+
+
+def _criterion(suite: ET.Element, result: Result, criterion: CriterionResult) -> None:
+    case = _case(suite, result, criterion.id)
+    _properties(
+        case,
+        {
+            "title": criterion.title,
+            "value": criterion.value,
+            "unit": criterion.unit,
+            "lower": criterion.lower,
+            "upper": criterion.upper,
+            "margin": criterion.margin,
+            "time_s": criterion.time,
+            "confidence": criterion.confidence,
+            "source": criterion.source,
+        },
+    )
+    if criterion.graded:
+        _outcome(case, criterion.verdict, message(criterion))
+    else:
+        ET.SubElement(case, "skipped", message=criterion.reason or "informative: no corridor is known")
+
+
+def message(criterion: CriterionResult) -> str:
+    """Write one line on a criterion: `T4: 112.4 N·m outside 90 – 111 by 1.4 N·m`."""
+    if criterion.value is None:
+        return f"{criterion.id}: {criterion.verdict}; {criterion.reason or 'no value'}"
+    decimals = criterion_decimals(criterion)
+    words = f"{criterion.id}: {fixed(criterion.value, decimals)} {criterion.unit}"
+    margin = criterion.margin
+    if margin is not None and (criterion.lower is not None or criterion.upper is not None):
+        side = "inside" if margin >= 0 else "outside"
+        words += f" {side} {corridor(criterion.lower, criterion.upper)} by {fixed(abs(margin), decimals)}"
+    return f"{words}; {criterion.reason}" if criterion.reason else words
+
+
+def _case(suite: ET.Element, result: Result, name: str) -> ET.Element:
+    return ET.SubElement(suite, "testcase", classname=f"certkit.{result.procedure}", name=name)
+
+
+def _properties(parent: ET.Element, values: dict[str, str | float | None]) -> None:
+    holder = parent.find("properties")
+    if holder is None:
+        holder = ET.SubElement(parent, "properties")
+    for name, value in values.items():
+        if value is not None and value != "":
+            text = value if isinstance(value, str) else f"{value:.7g}"
+            ET.SubElement(holder, "property", name=name, value=_clean(text))
+
+
+def _outcome(case: ET.Element, verdict: Verdict, words: str) -> None:
+    if verdict in {"fail", "conditional"}:
+        ET.SubElement(case, "failure", message=_clean(words), type=verdict)
+    elif verdict in {"error", "not evaluated"}:
+        ET.SubElement(case, "error", message=_clean(words), type=verdict)
+
+
+def _clean(words: str) -> str:
+    """Drop control characters that XML 1.0 cannot hold."""
+    return "".join(sign for sign in words if sign in "\t\n" or ord(sign) >= 0x20)

@@ -1,0 +1,42 @@
+"""PNG from our own SVG: WeasyPrint sets it with the shipped font, PDFium paints it.
+
+Both draw the certificate too, so a picture in a slide looks like the one in the PDF. cairosvg would need
+the system's Cairo, matplotlib cannot read SVG; pypdfium2 is one wheel without dependencies.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+from typing import Any
+
+from certkit.errors import RunError
+from certkit.reporting.certificate import pdf_of_drawing
+
+SCALE = 3.0
+"""Pixels for each pixel of the drawing: 288 dots an inch."""
+
+
+def png(drawing: str) -> bytes:
+    """Paint a drawing on white.
+
+    Raises
+    ------
+    RunError
+        When the extra `png` is not installed.
+    """
+    try:
+        import pypdfium2  # noqa: PLC0415  # an extra
+    except ImportError as error:
+        raise RunError(
+            "PNG figures need the extra `png`: pip install 'certkit[png]'; SVG needs nothing"
+        ) from error
+    match = re.search(r'width="([\d.]+)" height="([\d.]+)"', drawing)
+    width, height = (float(match.group(1)), float(match.group(2))) if match else (640.0, 480.0)
+    document: Any = pypdfium2.PdfDocument(pdf_of_drawing(drawing, width, height))
+    # A PDF's unit is 1/72 inch, a CSS pixel 1/96.
+    image = document[0].render(scale=SCALE * 96 / 72).to_pil()
+    stream = io.BytesIO()
+    image.save(stream, "PNG", optimize=True)
+    document.close()
+    return stream.getvalue()

@@ -1,0 +1,150 @@
+"""From results to files: which format becomes which file, each written whole."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.errors import UsageError
+from certkit.files import write_whole
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Collection, Sequence
+    from pathlib import Path
+
+    from certkit.grading.result import Result
+    from certkit.reporting.certificate import Paper
+
+FORMATS = ("html", "pdf", "junit", "csv", "md")
+FILES = {
+    "html": "report.html",
+    "pdf": "report.pdf",
+    "junit": "junit.xml",
+    "csv": "channels.csv",
+    "md": "summary.md",
+}
+SUITE_FILES = {"html": "index.html", "pdf": "suite.pdf", "junit": "junit.xml", "md": "summary.md"}
+
+
+def checked(formats: Collection[str]) -> list[str]:
+    """Return the formats in writing order, cheapest first, so that a missing Pango still leaves the others.
+
+    Raises
+    ------
+    UsageError
+        When one is not a format.
+    """
+    unknown = sorted(set(formats) - set(FORMATS) - {"json"})
+    if unknown:
+        raise UsageError(f"unknown format `{unknown[0]}`; use {', '.join(FORMATS)} (JSON is always written)")
+    return [name for name in ("csv", "junit", "md", "html", "pdf") if name in formats]
+
+
+def render(result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4") -> list[Path]:
+    """Write the reports of one result into a folder.
+
+    Parameters
+    ----------
+    result : Result
+        The document; nothing else is read.
+    out : Path
+        Folder; made when missing.
+    formats : collection of str
+        Of `html`, `pdf`, `junit`, `csv`, `md`; `json` is ignored here, since grading writes it.
+    paper : {'A4', 'Letter'}
+        Page size of the PDF.
+
+    Returns
+    -------
+    list of Path
+        The files written. `channels.csv` is left out when the result holds no raw channels.
+
+    Raises
+    ------
+    UsageError
+        When a format is unknown.
+    RunError
+        When the PDF's libraries are missing; all other formats are written by then.
+    """
+    makers: dict[str, Callable[[], bytes | str | None]] = {
+        "html": lambda: _page(result),
+        "pdf": lambda: _pdf([result], paper, None),
+        "junit": lambda: _junit([result]),
+        "csv": lambda: _csv(result),
+        "md": lambda: _summary([result]),
+    }
+    return _write(out, formats, makers, FILES)
+
+
+def render_suite(
+    results: Sequence[Result],
+    out: Path,
+    formats: Collection[str],
+    *,
+    title: str = "Certification suite",
+    paper: Paper = "A4",
+) -> list[Path]:
+    """Write what binds several results together: index page, one PDF with contents, JUnit, summary.
+
+    The index page holds all reports, so it can be handed on as a single file.
+    """
+    makers: dict[str, Callable[[], bytes | str | None]] = {
+        "html": lambda: _suite_page(results, title),
+        "pdf": lambda: _pdf(results, paper, title),
+        "junit": lambda: _junit(results),
+        "md": lambda: _summary(results),
+    }
+    return _write(out, [name for name in formats if name != "csv"], makers, SUITE_FILES)
+
+
+def _write(
+    out: Path,
+    formats: Collection[str],
+    makers: dict[str, Callable[[], bytes | str | None]],
+    files: dict[str, str],
+) -> list[Path]:
+    written = []
+    for name in checked(formats):
+        content = makers[name]()
+        if content is not None:
+            write_whole(out / files[name], content)
+            written.append(out / files[name])
+    return written
+
+
+# Each format's modules are imported when it is asked for: a JUnit file must not wait for jinja2.
+
+
+def _page(result: Result) -> str:
+    from certkit.reporting.page import page  # noqa: PLC0415  # see above
+
+    return page(result)
+
+
+def _suite_page(results: Sequence[Result], title: str) -> str:
+    from certkit.reporting.page import suite_page  # noqa: PLC0415  # see above
+
+    return suite_page(results, title)
+
+
+def _pdf(results: Sequence[Result], paper: Paper, title: str | None) -> bytes:
+    from certkit.reporting.certificate import certificate  # noqa: PLC0415  # see above
+
+    return certificate(results, paper=paper, title=title, contents=title is not None)
+
+
+def _junit(results: Sequence[Result]) -> bytes:
+    from certkit.reporting.junit import junit  # noqa: PLC0415  # see above
+
+    return junit(results)
+
+
+def _csv(result: Result) -> str | None:
+    from certkit.reporting.machine import channels_csv  # noqa: PLC0415  # see above
+
+    return channels_csv(result)
+
+
+def _summary(results: Sequence[Result]) -> str:
+    from certkit.reporting.markdown import summary  # noqa: PLC0415  # see above
+
+    return summary(results)
