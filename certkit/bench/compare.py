@@ -31,7 +31,8 @@ def compare(
 ) -> ComparisonDocument:
     """Compare two tests.
 
-    A is the reference, unless it was simulated and B measured: then the measured one is, as in the paper's Table 1.
+    A is the reference, unless it was simulated and B measured: then the measured one is, as in the
+    paper's Table 1.
 
     Parameters
     ----------

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def export(source: Path, target: Path, *, mapping: Mapping | None = None) -> None:
-    """Write a recording as ISO-MME folder, ISO-MME archive (`.zip`) or CSV (`.csv`), as the target's name says.
+    """Write a recording as ISO-MME folder, archive (`.zip`) or CSV (`.csv`), as the target's name says.
 
     Parameters
     ----------

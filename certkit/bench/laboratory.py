@@ -1,4 +1,4 @@
-"""A laboratory's file brought into the terms of grading: header, sensor checks, decision rule, uncertainties."""
+"""A laboratory's file in the terms of grading: header, sensor checks, decision rule, uncertainties."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """certkit's own `channels.csv`, known by the `result.json` it was written beside.
 
-The table alone does not say whether its test was simulated, nor what the conditions were; the document beside it does.
+The table alone does not say whether its test was simulated, nor what the conditions were; the document does.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from certkit.cli import options
+from certkit.cli import options  # noqa: TC001  # typer reads the annotations
 
 Tested = Annotated[
     Path,
@@ -69,7 +69,9 @@ def compare(
         library=tuple(library or ()),
         until=None if until is None else until * 1e-3,
     )
-    folder = out or Path("runs") / f"compare-{document.reference.label}-{document.other.label}".replace(" ", "-")
+    folder = out or Path("runs") / f"compare-{document.reference.label}-{document.other.label}".replace(
+        " ", "-"
+    )
     write_comparison(document, folder / "comparison.json")
     render_comparison(document, folder, wanted)
     typer.echo(comparison_json(document) if as_json else comparison_text(document), nl=not as_json)

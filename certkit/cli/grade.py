@@ -57,8 +57,8 @@ def grade(
 ) -> None:
     """Grade a measured test and write its report.
 
-    `certkit grade --procedure pendulum DATA --lab lab.yaml` checks the preconditions first, then conditions, filters and
-    measures the channels as it does for a simulated test. The exit code is the verdict's.
+    `certkit grade --procedure pendulum DATA --lab lab.yaml` checks the preconditions first, then conditions,
+    filters and measures the channels as it does for a simulated test. The exit code is the verdict's.
     """
     from certkit import bench  # noqa: PLC0415  # numpy and pydantic wait until a test is graded
     from certkit.cli import terminal  # noqa: PLC0415  # likewise
