@@ -13,6 +13,7 @@ from certkit.definitions.quantities import parse_quantity
 from certkit.definitions.sentences import suggestion
 from certkit.definitions.shape import fields
 from certkit.definitions.vocabulary import CHANNELS, channel_kind
+from certkit.definitions.words import is_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -43,8 +44,10 @@ _LIGAMENTS = ("MCL", "LCL", "ACL", "PCL")
 def check_procedure(tree: Tree) -> list[Problem]:
     """Check the rig's fixtures, the specimen on it, and each criterion."""
     data = tree.data
-    found = [*_fixtures(data), *_criteria(data.get("criteria")), *_quantities(data.get("preconditions"))]
-    return [tree.problem(steps, message, key=True) for steps, message in found]
+    values = [*_criteria(data.get("criteria")), *_quantities(data.get("preconditions"))]
+    values += [(steps, said) for steps, said in _names(data) if steps not in tree.changed]
+    found = [tree.problem(steps, message, key=True) for steps, message in _fixtures(data)]
+    return found + [tree.problem(steps, message) for steps, message in values]
 
 
 def check_legform(tree: Tree) -> list[Problem]:
@@ -130,8 +133,23 @@ def _specimen(data: dict[str, Any], rig: list[str]) -> Iterator[Finding]:
     if "free flight" not in rig and data.get("vehicle") is not None:
         yield (
             ("vehicle",),
-            "a vehicle is hit in `free flight` only; add it to the rig, or leave the vehicle out",
+            "a vehicle is hit in `free flight` only; add that, or leave the vehicle out",
         )
+
+
+def _names(data: dict[str, Any]) -> Iterator[Finding]:
+    """Refuse paths where a file names other definitions: what it names is looked for in the libraries only."""
+    specimen = data.get("specimen")
+    named: list[tuple[Steps, Any]] = [((key,), data.get(key)) for key in ("vehicle", "reference", "score")]
+    named.append((("specimen", "legform"), specimen.get("legform") if isinstance(specimen, dict) else None))
+    criteria = data.get("criteria")
+    for index, criterion in enumerate(criteria if isinstance(criteria, list) else ()):
+        corridor = criterion.get("corridor") if isinstance(criterion, dict) else None
+        if isinstance(corridor, str) and "/" in corridor:
+            named.append((("criteria", index, "corridor"), corridor.partition("/")[0]))
+    for steps, name in named:
+        if isinstance(name, str) and not is_name(name):
+            yield steps, f"`{name}` is no name; write it without folders and ending"
 
 
 def _criteria(criteria: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML data

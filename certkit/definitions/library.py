@@ -20,6 +20,7 @@ from certkit.definitions.reader import read_tree
 from certkit.definitions.sentences import suggestion
 from certkit.definitions.shelves import FolderShelf, Found, Shelf, shipped_shelf
 from certkit.definitions.validation import read_bytes, validate
+from certkit.definitions.words import ENDINGS
 from certkit.errors import DefinitionError, UsageError
 
 if TYPE_CHECKING:
@@ -142,7 +143,7 @@ def parse(kind: Kind, found: Found, overrides: Sequence[str] = ()) -> Loaded[Bas
 def find(kind: Kind, name: str | Path, library: Library = ()) -> Found:
     """Find a definition's file without reading it into a document; see `load`."""
     path = Path(name)
-    if isinstance(name, Path) or path.suffix in {".yaml", ".yml"} or len(path.parts) > 1:
+    if isinstance(name, Path) or path.suffix in ENDINGS or len(path.parts) > 1:
         return Found(_shown(path), read_bytes(path), str(path))
     shelves = search_order(library)
     for shelf in shelves:

@@ -134,6 +134,14 @@ def _find(path: str, data: Any, model: type[BaseModel]) -> _Spot:  # noqa: ANN40
     sourced: Steps | None = None
     while rest:
         below = _below(data, shape)
+        first, _, _ = rest.partition(".")
+        if (
+            isinstance(data, list)
+            and first.isdecimal()
+            and 0 < int(first) <= len(data)
+            and first not in below
+        ):
+            rest = plain(list(below)[int(first) - 1]) + rest[len(first) :]
         fitting = [name for name in below if rest == plain(name) or rest.startswith(f"{plain(name)}.")]
         if not fitting:
             near = nearest(path, list(known_paths(top, Shape("document", model=model))))

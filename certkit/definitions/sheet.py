@@ -14,6 +14,7 @@ from certkit.definitions.reader import read_tree
 from certkit.definitions.sentences import suggestion
 from certkit.definitions.survey import kind_in
 from certkit.definitions.validation import read_bytes
+from certkit.definitions.words import ENDINGS
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:
@@ -98,7 +99,7 @@ def sheet(
 
 
 def _kind_with(name: str, library: Library) -> str:
-    if "/" in name or name.endswith((".yaml", ".yml")):
+    if "/" in name or name.endswith(ENDINGS):
         from pathlib import Path  # noqa: PLC0415  # only here
 
         return kind_in(read_tree(read_bytes(Path(name)), name)).word

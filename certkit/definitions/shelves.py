@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from certkit.definitions.shipped import shipped_root
 from certkit.definitions.validation import read_bytes
+from certkit.definitions.words import ENDINGS, is_name
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:
@@ -15,9 +16,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.definitions.kinds import Kind
-
-_NAME = re.compile(r"[^\W_][\w.,()+ -]{0,99}")
-_ENDINGS = (".yaml", ".yml")
 
 
 @dataclass(frozen=True)
@@ -73,7 +71,7 @@ class FolderShelf:
         """Return the file NAME.yaml; a name never leads out of the folder."""
         check_name(kind, name)
         for place in self._places(kind):
-            for ending in _ENDINGS:
+            for ending in ENDINGS:
                 path = place / f"{name}{ending}"
                 if path.is_file() and _is_of(kind, path):
                     return Found(self._label(path), read_bytes(path), self._file(path), name)
@@ -86,7 +84,7 @@ class FolderShelf:
             for place in self._places(kind)
             if place.is_dir()
             for path in place.iterdir()
-            if path.suffix in _ENDINGS and path.is_file() and _is_of(kind, path)
+            if path.suffix in ENDINGS and path.is_file() and _is_of(kind, path)
         }
         return sorted(found)
 
@@ -131,7 +129,7 @@ def check_name(kind: Kind, name: str) -> None:
     UsageError
         When it is no plain name.
     """
-    if not _NAME.fullmatch(name) or ".." in name:
+    if not is_name(name):
         raise UsageError(f"`{name}` is no name of a {kind.noun}; use letters, digits, spaces, `-`, `.`")
 
 

@@ -9,7 +9,15 @@ from hypothesis import strategies as st
 
 from certkit.definitions.quantities import UNITS, alike, dimensions, parse_quantity
 
-SPELLED = {"°": "degree", "°C": "degC", "N·m": "N*m", "kN·m": "kN*m", "N·mm": "N*mm", "g·m²": "g*m**2", "psi": "psi"}
+SPELLED = {
+    "°": "degree",
+    "°C": "degC",
+    "N·m": "N*m",
+    "kN·m": "kN*m",
+    "N·mm": "N*mm",
+    "g·m²": "g*m**2",
+    "psi": "psi",
+}
 SI = {
     "length": "m",
     "mass": "kg",

@@ -95,7 +95,10 @@ def test_duplicate_keys_are_all_reported_with_both_lines():
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("a: !!python/object/apply:os.system ['true']", "1:4: the tag `tag:yaml.org,2002:python/object/apply"),
+        (
+            "a: !!python/object/apply:os.system ['true']",
+            "1:4: the tag `tag:yaml.org,2002:python/object/apply",
+        ),
         ("a: !!int 3", "the tag `tag:yaml.org,2002:int` is not used here"),
         ("a:\n\tb: 1", "2:1: a tab cannot indent YAML; use spaces"),
         ("a: b: c", "1:5: a second `:` in one line"),

@@ -1,0 +1,139 @@
+"""Definitions are found by name or path; one's own come before the shipped ones, and names lead nowhere else."""
+
+from __future__ import annotations
+
+import shutil
+from hashlib import sha256
+from pathlib import Path
+
+import pytest
+
+from certkit.definitions.kinds import KINDS, kind_of
+from certkit.definitions.library import load, names, neighbours
+from certkit.definitions.shelves import TextShelf
+from certkit.definitions.shipped import shipped_root
+from certkit.errors import DefinitionError, UsageError
+
+PENDULUM = shipped_root() / "procedures" / "pendulum.yaml"
+
+
+def test_a_shipped_definition_is_found_by_its_name_from_any_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.chdir(tmp_path)
+    loaded = load("procedure", "pendulum")
+    assert (loaded.kind, loaded.name, loaded.path) == ("procedure", "pendulum", "procedures/pendulum.yaml")
+    assert loaded.sha256 == sha256(PENDULUM.read_bytes()).hexdigest()
+    assert loaded.text == PENDULUM.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("place", ["", "procedures"])
+def test_a_file_in_ones_own_library_wins_over_a_shipped_name(tmp_path: Path, place: str):
+    folder = tmp_path / place
+    folder.mkdir(exist_ok=True)
+    text = PENDULUM.read_text(encoding="utf-8").replace("title: Dynamic", "title: Our dynamic")
+    (folder / "pendulum.yaml").write_text(text, encoding="utf-8")
+    loaded = load("procedure", "pendulum", library=[tmp_path])
+    assert loaded.document.title.startswith("Our dynamic")
+    assert loaded.path.endswith("pendulum.yaml")
+    assert not Path(loaded.path).is_absolute()
+
+
+def test_the_first_of_several_libraries_wins(tmp_path: Path):
+    for number in (1, 2):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        text = PENDULUM.read_text(encoding="utf-8").replace("title: Dynamic", f"title: Lab {number}")
+        (folder / "pendulum.yaml").write_text(text, encoding="utf-8")
+    assert load("procedure", "pendulum", library=[tmp_path / "2", tmp_path / "1"]).document.title.startswith(
+        "Lab 2"
+    )
+
+
+def test_what_the_own_library_lacks_is_found_among_the_shipped(tmp_path: Path):
+    assert load("procedure", "inverse", library=[tmp_path]).path == "procedures/inverse.yaml"
+
+
+def test_a_file_is_read_by_its_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    shutil.copy(PENDULUM, tmp_path / "copy.yaml")
+    monkeypatch.chdir(tmp_path)
+    assert load("procedure", "copy.yaml").path == "copy.yaml"
+    assert load("procedure", "./copy.yaml").name == "pendulum"
+    assert load("procedure", tmp_path / "copy.yaml").path == "copy.yaml"
+
+
+def test_no_result_ever_holds_an_absolute_path(tmp_path: Path):
+    shutil.copy(PENDULUM, tmp_path / "copy.yaml")
+    assert load("procedure", tmp_path / "copy.yaml").path == "copy.yaml"
+    shutil.copy(PENDULUM, tmp_path / "pendulum.yaml")
+    assert load("procedure", "pendulum", library=[tmp_path]).path == f"{tmp_path.name}/pendulum.yaml"
+
+
+@pytest.mark.parametrize(
+    "name", ["..", "a..b", ".hidden", "~root", "a\\b", "a\0b", "", " ", "x" * 200, "-rf"]
+)
+def test_a_name_leads_nowhere_else(name: str):
+    with pytest.raises(UsageError, match="is no name of a procedure"):
+        load("procedure", name)
+
+
+def test_a_name_inside_a_procedure_is_no_path(tmp_path: Path):
+    text = PENDULUM.read_text(encoding="utf-8").replace("legform: flex-pli-gtr", "legform: ../../secret")
+    (tmp_path / "mine.yaml").write_text(
+        text.replace("procedure: pendulum", "procedure: mine"), encoding="utf-8"
+    )
+    with pytest.raises(DefinitionError, match=r"mine.yaml:\d+:\d+: .*`\.\./\.\./secret` is no name"):
+        load("procedure", tmp_path / "mine.yaml")
+
+
+def test_an_unknown_name_brings_the_nearest_one():
+    with pytest.raises(UsageError, match="there is no procedure `pendlum`; did you mean `pendulum`"):
+        load("procedure", "pendlum")
+
+
+def test_a_missing_file_and_a_missing_library_are_said_plainly(tmp_path: Path):
+    with pytest.raises(DefinitionError, match=r"nowhere.yaml: does not exist"):
+        load("procedure", tmp_path / "nowhere.yaml")
+    with pytest.raises(DefinitionError, match="is a folder"):
+        load("procedure", tmp_path)
+    with pytest.raises(UsageError, match="is no folder"):
+        load("procedure", "pendulum", library=[tmp_path / "nowhere"])
+
+
+def test_a_file_that_calls_itself_otherwise_is_refused(tmp_path: Path):
+    shutil.copy(PENDULUM, tmp_path / "other.yaml")
+    with pytest.raises(DefinitionError, match="has to be `other` too"):
+        load("procedure", "other", library=[tmp_path])
+
+
+def test_texts_at_hand_can_stand_in_for_files():
+    text = PENDULUM.read_text(encoding="utf-8").replace("title: Dynamic", "title: Embedded")
+    shelf = TextShelf({("procedure", "pendulum"): text})
+    loaded = load("procedure", "pendulum", library=[shelf])
+    assert loaded.document.title.startswith("Embedded")
+    assert names("procedure", [shelf]) == names("procedure")
+
+
+def test_files_of_several_kinds_may_share_a_folder(tmp_path: Path):
+    shutil.copy(PENDULUM, tmp_path / "pendulum.yaml")
+    shutil.copy(shipped_root() / "corridors" / "r127-pendulum.yaml", tmp_path / "r127-pendulum.yaml")
+    assert "r127-pendulum" not in names("procedure", [tmp_path])
+    assert load("corridors", "r127-pendulum", library=[tmp_path]).path.startswith(tmp_path.name)
+
+
+def test_beside_a_file_lie_its_folder_and_its_library():
+    roots = [str(shelf.folder) for shelf in neighbours(Path("lab/models/legforms/mine.yaml"))]
+    assert roots == ["lab/models/legforms", "lab"]
+    assert [str(shelf.folder) for shelf in neighbours(Path("mine.yaml"))] == ["."]
+
+
+@pytest.mark.parametrize(
+    "word", ["procedure", "procedures", "corridors", "corridor", "legforms", "models/legforms"]
+)
+def test_a_kind_is_known_by_its_word_its_plural_and_its_folder(word: str):
+    assert kind_of(word).word in KINDS
+
+
+def test_an_unknown_kind_brings_the_nearest_one():
+    with pytest.raises(UsageError, match="`procdure` is no kind of definition; did you mean `procedure`"):
+        kind_of("procdure")
