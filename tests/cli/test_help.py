@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-HEAVY = {"numpy", "pymunk", "matplotlib", "scipy", "weasyprint", "pandas", "numba", "jinja2", "pydantic"}
+HEAVY = {"numpy", "pymunk", "matplotlib", "scipy", "weasyprint", "pandas", "numba", "jinja2"}
 PROBE = """
 import sys
 from certkit.cli import app

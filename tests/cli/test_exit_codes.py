@@ -1,0 +1,87 @@
+"""The exit code is a gate: each of the contract's codes, through the real command."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from conftest import Command
+
+STEEP = "legform.femur.bending stiffness=90 N·m²"
+
+
+def test_a_pass_ends_with_0(certkit: Command) -> None:
+    done = certkit("run", "--procedure", "pendulum", "--format", "junit")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "PASS" in done.stdout
+
+
+def test_a_value_outside_its_corridor_ends_with_1(certkit: Command, tmp_path: Path) -> None:
+    done = certkit("run", "--procedure", "inverse", "--set", "rig.ram.speed=13 m/s", "--format", "junit")
+    assert done.returncode == 1
+    result = json.loads((tmp_path / "runs" / "inverse" / "result.json").read_text())
+    assert result["verdict"] == "fail"
+    assert result["provenance"]["overrides"] == [
+        {"path": "rig.ram.speed", "value": "13 m/s", "was": "11.1 m/s"}
+    ]
+
+
+def test_a_bad_definition_ends_with_2_and_writes_nothing(certkit: Command, tmp_path: Path) -> None:
+    (tmp_path / "bad.yaml").write_text("procedure: bad\ntitle: 3\n")
+    done = certkit("run", "--procedure", "bad.yaml")
+    assert done.returncode == 2
+    assert "bad.yaml:" in done.stderr
+    assert not (tmp_path / "runs").exists()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("run",),
+        ("run", "--procedure", "pendulun"),
+        ("run", "--procedure", "pendulum", "--set", "rig.hinje.offset=3 mm"),
+        ("run", "--procedure", "pendulum", "--format", "docx"),
+        ("run", "--procedure", "pendulum", "--allow", "fail"),
+        ("run", "--all", "--procedure", "pendulum"),
+        ("report", "nowhere.json"),
+        ("no-such-command",),
+    ],
+    ids=" ".join,
+)
+def test_a_command_line_that_cannot_be_carried_out_ends_with_2(certkit: Command, arguments: tuple[str]) -> None:
+    done = certkit(*arguments)
+    assert done.returncode == 2, done.stdout + done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_a_misspelt_procedure_is_answered_with_the_nearest_name(certkit: Command) -> None:
+    assert "pendulum" in certkit("run", "--procedure", "pendulun").stderr
+
+
+def test_a_run_that_cannot_be_trusted_ends_with_3(certkit: Command) -> None:
+    done = certkit("run", "--procedure", "inverse", "--set", "run.time step=0.4 ms", "--format", "junit")
+    assert done.returncode == 3, done.stdout + done.stderr
+    assert "PASS" not in done.stdout
+
+
+def test_a_test_nobody_has_corridors_for_ends_with_4(certkit: Command) -> None:
+    done = certkit("run", "--procedure", "static-knee", "--format", "junit")
+    assert done.returncode == 4
+    assert "NOT EVALUATED" in done.stdout
+
+
+def test_not_evaluated_can_be_allowed(certkit: Command) -> None:
+    arguments = ("run", "--procedure", "static-knee", "--format", "junit", "--allow", "not-evaluated")
+    assert certkit(*arguments).returncode == 0
+
+
+def test_with_several_procedures_the_worst_counts(certkit: Command) -> None:
+    done = certkit("run", "-p", "static-tibia", "-p", "static-knee", "--format", "junit")
+    assert done.returncode == 4
+
+
+def test_a_procedure_that_cannot_run_does_not_take_the_others_with_it(certkit: Command, tmp_path: Path) -> None:
+    done = certkit("run", "-p", "static-tibia", "-p", "no-such", "--format", "junit")
+    assert done.returncode == 2
+    assert (tmp_path / "runs" / "static-tibia" / "result.json").exists()
