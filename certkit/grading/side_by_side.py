@@ -133,39 +133,50 @@ def _rows(
     reference: Test, other: Test, curves: Mapping[str, tuple[NDArray[np.float64], NDArray[np.float64], str]]
 ) -> tuple[list[ComparisonRow], list[str]]:
     """Make the error table: of criteria where both were graded by one procedure, else of peaks."""
-    a, b = reference.result, other.result
-    if a is not None and b is not None and a.procedure == b.procedure:
-        theirs = {c.id: c for c in b.criteria if c.value is not None}
-        pairs = [
-            (c.id, c.unit, c.value, theirs[c.id].value)
-            for c in a.criteria
-            if c.value is not None and c.id in theirs and theirs[c.id].unit == c.unit
-        ]
-        said = "Values are those of the criteria."
-    else:
-        pairs = []
-        for name, (x, y, _) in curves.items():
-            dimension = CHANNELS[name].dimension
-            peak = int(np.argmax(np.abs(x)))
-            sign = 1.0 if x[peak] >= 0 else -1.0
-            found = float((sign * y).max()) * sign
-            pairs.append((name, dimension.unit, float(x[peak]) * dimension.scale, found * dimension.scale))
+    pairs = _criteria(reference.result, other.result)
+    said = "Values are those of the criteria."
+    if not pairs:
+        pairs = [_peaks(name, x, y) for name, (x, y, _) in curves.items()]
         said = (
             f"Values are the peaks of the channels, {FILTER}, on the side where the reference has its peak."
         )
-    largest = max((abs(x or 0.0) for _, _, x, _ in pairs), default=0.0)
+    largest: dict[str, float] = {}
+    for _, unit, value, _ in pairs:
+        largest[unit] = max(largest.get(unit, 0.0), abs(value))
     rows, without = [], []
-    for name, unit, x, y in pairs:
-        if x is None or y is None or abs(x) <= NOTHING * largest:
+    for name, unit, test, found in pairs:
+        if abs(test) <= NOTHING * largest[unit]:
             without.append(name)
             continue
-        rows.append(
-            ComparisonRow(channel=name, unit=unit, test=x, simulation=y, error_percent=error_percent(y, x))
-        )
+        error = error_percent(found, test)
+        rows.append(ComparisonRow(channel=name, unit=unit, test=test, simulation=found, error_percent=error))
     notes = [said]
     if without:
         notes.append(f"The reference is zero, so there is no relative error: {', '.join(without)}.")
     return rows, notes
+
+
+def _criteria(a: Result | None, b: Result | None) -> list[tuple[str, str, float, float]]:
+    """Return id, unit and both values of the criteria, where both tests were graded by one procedure."""
+    if a is None or b is None or a.procedure != b.procedure:
+        return []
+    theirs = {c.id: c for c in b.criteria}
+    return [
+        (c.id, c.unit, c.value, other.value)
+        for c in a.criteria
+        if (other := theirs.get(c.id)) is not None
+        and c.value is not None
+        and other.value is not None
+        and other.unit == c.unit
+    ]
+
+
+def _peaks(name: str, x: NDArray[np.float64], y: NDArray[np.float64]) -> tuple[str, str, float, float]:
+    """Return the reference's peak of a channel, and the other's on the same side, in the shown unit."""
+    dimension = CHANNELS[name].dimension
+    sign = 1.0 if x[int(np.argmax(np.abs(x)))] >= 0 else -1.0
+    peaks = [sign * float((sign * v).max()) * dimension.scale for v in (x, y)]
+    return name, dimension.unit, peaks[0], peaks[1]
 
 
 def _rating(

@@ -78,8 +78,8 @@ def comparison_text(document: ComparisonDocument) -> str:
         )
         for rating in document.ratings
     ]
-    heads = ("ISO/TS 18571", "corridor", "phase", "magnitude", "slope", "overall", "grade")
-    parts.append(aligned(heads, ratings, right=(1, 2, 3, 4, 5)))
+    parts_of_rating = ("ISO/TS 18571", "corridor", "phase", "magnitude", "slope", "overall", "grade")
+    parts.append(aligned(parts_of_rating, ratings, right=(1, 2, 3, 4, 5)))
     if document.rating is not None:
         parts.append(f"mean rating {words.fixed(document.rating, 2)}, {document.grade}")
     parts += [f"note: {note}" for note in document.notes]
