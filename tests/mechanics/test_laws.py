@@ -1,0 +1,132 @@
+"""What each force law does, seen on two bodies at a time."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from certkit.mechanics.laws import BENDING, CABLES, CONDYLES, CRUSH, CUSHION
+from certkit.mechanics.loop import Plan, Trajectory, run_world
+from certkit.mechanics.world import GROUND, Assembly
+
+STEP = 1e-5
+
+
+def balance(run: Trajectory) -> np.ndarray:
+    return run.kinetic + run.stored.sum(axis=1) + run.spent.sum(axis=1)
+
+
+def condyle_on_trough(friction: float, slope: float) -> Trajectory:
+    """Let a block stand on two condyles in fixed troughs, pulled aside by `slope` times its weight."""
+    assembly = Assembly(gravity=(9.81 * slope, -9.81))
+    upper = assembly.add_body("block", 2.0, 0.004, (0.0, 0.047, 0.0), drag=35.0)
+    lower = assembly.add_body("base", 1.0, 0.01, (0.0, -0.045, 0.0))
+    assembly.add_pivot(lower, GROUND, -0.05, -0.045)
+    assembly.add_pivot(lower, GROUND, 0.05, -0.045)
+    for x in (-0.04, 0.04):
+        assembly.add_row(
+            CONDYLES,
+            (upper, lower),
+            {
+                "condyle x": x,
+                "condyle z": 0.02 - 0.047,
+                "trough x": x,
+                "trough z": 0.06 + 0.045,
+                "clearance": 0.04,
+                "radius": 0.02,
+                "stiffness": 1e6,
+                "damping": 100.0,
+                "friction": friction,
+                "tangential stiffness": 5e5,
+            },
+        )
+    return run_world(assembly.finish(), Plan(STEP, 1.0, 1.0, sample=100), tracked=[upper])
+
+
+def test_friction_holds_a_load_at_rest_without_creep():
+    x = condyle_on_trough(friction=0.3, slope=0.15).tracks[:, 0, 0]
+    assert abs(x[-1]) < 1e-4
+    assert abs(x[-1] - x[len(x) // 2]) < 1e-9
+
+
+def test_beyond_friction_the_condyle_slides_up_its_trough_until_both_balance():
+    run = condyle_on_trough(friction=0.1, slope=0.3)
+    # At rest the pull leans from the contact's normal by the angle of friction.
+    slope = np.arcsin(run.tracks[-1, 0, 0] / 0.04)
+    assert slope == pytest.approx(np.arctan(0.3) - np.arctan(0.1), abs=1e-3)
+    assert run.spent[-1].sum() > 0
+    assert np.abs(balance(run) - balance(run)[0]).max() < 1e-3 * run.spent[-1].sum()
+
+
+def test_a_cable_pulls_and_never_pushes():
+    assembly = Assembly()
+    ends = [assembly.add_body(f"end {i}", 1.0, 0.0, (0.1 * i, 0.0, 0.0)) for i in range(2)]
+    cable = {"upper x": 0, "upper z": 0, "lower x": 0, "lower z": 0}
+    assembly.add_row(
+        CABLES, tuple(ends), {**cable, "length": 0.1, "stiffness": 1e4, "preload": 100.0, "damping": 5.0}
+    )
+    world = assembly.finish()
+    run = run_world(
+        world, Plan(STEP, 0.2, 0.2), [world.place(CABLES, 0, n) for n in ("elongation", "tension")]
+    )
+    elongation, tension = run.readings.T
+    assert np.all(tension >= 0)
+    assert np.all(tension[elongation < -0.0101] == 0)
+    assert tension[0] == pytest.approx(100.0, rel=1e-3)
+    assert np.abs(balance(run) - balance(run)[0]).max() < 1e-3 * balance(run)[0]
+
+
+def bar_against(
+    law: int, numbers: dict[str, float], speed: float, until: float
+) -> tuple[Trajectory, Assembly]:
+    """Let a bar of 2 kg fly with `speed` against a fixed face of one law, 20 strips of 4 mm."""
+    assembly = Assembly()
+    bar = assembly.add_body("bar", 2.0, 0.03, (-0.001, 0.0, 0.0), speed=(speed, 0.0, 0.0))
+    assembly.add_outline(bar, 0.2, -0.2, 0.0, 0.05)
+    for i in range(20):
+        assembly.add_row(
+            law, (GROUND,), {"face x": 0.0, "face z": 0.038 - 0.004 * i, "height": 0.004, **numbers}
+        )
+    world = assembly.finish()
+    force = [world.place(law, i, "force") for i in range(20)]
+    return run_world(world, Plan(STEP, until, until), force, [bar]), assembly
+
+
+def test_flesh_gives_back_what_it_takes_and_stiffens():
+    run, _ = bar_against(CUSHION, {"compression": 1e6, "stiffening depth": 0.03, "thickness": 0.0}, 3.0, 0.05)
+    deepest = run.tracks[:, 0, 0].max()
+    k = 1e6 * 0.08
+    assert 0.5 * 2.0 * 3.0**2 == pytest.approx(
+        k * deepest**2 * (0.5 + 0.25 * (deepest / 0.03) ** 2), rel=1e-3
+    )
+    assert run.readings.sum(axis=1).max() == pytest.approx(
+        k * deepest * (1 + (deepest / 0.03) ** 2), rel=1e-3
+    )
+    assert (run.tracks[-1, 0, 0] - run.tracks[-2, 0, 0]) / STEP == pytest.approx(-3.0, rel=1e-4)
+
+
+def test_honeycomb_never_pushes_harder_than_its_strength_and_never_pulls():
+    run, _ = bar_against(CRUSH, {"strength": 4e5, "elastic depth": 1e-3, "thickness": 0.0}, 10.0, 0.05)
+    force = run.readings.sum(axis=1)
+    strength = 4e5 * 0.05 * 0.08
+    assert force.max() == pytest.approx(strength, rel=1e-12)
+    assert force.min() == 0
+    crushed = run.tracks[:, 0, 0].max() - 1e-3
+    assert run.spent[-1].sum() == pytest.approx(strength * crushed, rel=1e-3)
+    back = (run.tracks[-1, 0, 0] - run.tracks[-2, 0, 0]) / STEP
+    assert -back == pytest.approx(np.sqrt(2 * 0.5 * strength * 1e-3 / 2.0), rel=1e-2)
+
+
+def test_steel_cables_stiffen_a_joint_beyond_their_angle():
+    assembly = Assembly()
+    for i in range(2):
+        assembly.add_body(f"link {i}", 0.3, 2e-4, (0.0, -0.04 * i, 0.0), speed=(0.0, 0.0, 60.0 * (2 * i - 1)))
+    assembly.add_pivot(0, 1, 0.0, -0.02)
+    numbers = {"stiffness": 1000.0, "damping": 0.0, "cable angle": 0.02, "cable stiffness": 9000.0}
+    assembly.add_row(BENDING, (0, 1), numbers)
+    world = assembly.finish()
+    run = run_world(world, Plan(STEP, 0.01, 0.01), [world.place(BENDING, 0, n) for n in ("moment", "angle")])
+    moment, angle = run.readings.T
+    assert np.abs(angle).max() > 0.021
+    expected = 1000 * angle + 9000 * np.sign(angle) * np.clip(np.abs(angle) - 0.02, 0, None)
+    assert moment == pytest.approx(expected, abs=1e-9)
