@@ -14,8 +14,10 @@ from certkit.cli import (
     compare,
     export,
     extract,
+    figure,
     grade,
     list_,
+    report,
     run,
     schema,
     show,
@@ -46,6 +48,8 @@ DEFINITIONS = "Definitions"
 app.command("run", rich_help_panel=TESTS)(run.run)
 app.command("grade", rich_help_panel=TESTS)(grade.grade)
 app.command("compare", rich_help_panel=TESTS)(compare.compare)
+app.command("report", rich_help_panel=TESTS)(report.report)
+app.command("figure", rich_help_panel=TESTS)(figure.figure)
 app.command("export", rich_help_panel=TESTS)(export.export)
 app.command("extract", rich_help_panel=MODELS)(extract.extract)
 app.command("list", rich_help_panel=DEFINITIONS)(list_.list_)

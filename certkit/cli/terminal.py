@@ -114,9 +114,9 @@ def show(results: Sequence[Result], *, as_json: bool, folder: Path) -> None:
     terminal.show(results)
     typer.echo(f"reports in {folder}", err=True)
     if os.environ.get("GITHUB_ACTIONS") == "true":
-        from certkit.reporting.markdown import annotations  # noqa: PLC0415  # only there
+        from certkit.reporting.markdown import github_annotations  # noqa: PLC0415  # only there
 
-        for line in annotations(results):
+        for line in github_annotations(results):
             typer.echo(line)
 
 
