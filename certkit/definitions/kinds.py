@@ -92,6 +92,10 @@ _ALL = (
         "family:Family",
         "models/legforms/families",
     ),
+    Kind(
+        "study", "many runs: what varies, how, and what is wanted from it", "study:Study", "examples/studies"
+    ),
+    Kind("fit", "parameters of a leg and the tests they are fitted to", "fit:Fit", "models/fits"),
     Kind("laboratory", "who tested what, when, with which sensors", "laboratory:Laboratory"),
     Kind("mapping", "how a laboratory's files become channels", "mapping:Mapping"),
 )

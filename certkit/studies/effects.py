@@ -1,0 +1,131 @@
+"""Main effects: by how much, and in which direction, a parameter moves an output over its range."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.studies.factors import Levels
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import pandas as pd
+    from numpy.typing import NDArray
+
+    from certkit.studies.factors import Factor
+
+CONFIDENCE = 0.95
+
+
+def coded(table: pd.DataFrame, factors: Sequence[Factor]) -> NDArray[np.float64]:
+    """Return the factors' settings, shape (n, k), brought to −1 … 1 over each range; words by their place."""
+    columns = []
+    for factor in factors:
+        column, distribution = table[factor.name], factor.distribution
+        if isinstance(distribution, Levels):
+            if any(isinstance(value, str) for value in distribution.entries):
+                places = {value: float(place) for place, value in enumerate(distribution.entries)}
+                numbers = np.array([places[value] for value in column])
+                low, high = 0.0, float(len(places) - 1)
+            else:
+                numbers = column.to_numpy(dtype=np.float64)
+                low, high = float(min(distribution.entries)), float(max(distribution.entries))
+        else:
+            numbers, low, high = column.to_numpy(dtype=np.float64), distribution.low, distribution.high
+        columns.append((2 * numbers - low - high) / (high - low))
+    return np.stack(columns, axis=1)
+
+
+def main_effects(table: pd.DataFrame, factors: Sequence[Factor], outputs: Sequence[str]) -> pd.DataFrame:
+    """Fit a plane through the runs; a factor's effect is its rise from the lowest to the highest value.
+
+    Parameters
+    ----------
+    table : DataFrame
+        From `certkit.studies.table`; rows without the output are left out.
+    factors : sequence of Factor
+    outputs : sequence of str
+        Numeric columns.
+
+    Returns
+    -------
+    DataFrame
+        Columns `output`, `factor`, `effect`, `lower`, `upper` (95 % confidence interval by Student's t from
+        the scatter around the plane; NaN where there are no more runs than coefficients), `share` (of the
+        variance that the plane explains, in a design whose factors are independent).
+    """
+    import pandas as pd  # noqa: PLC0415  # slow to import
+    from scipy.stats import t as student  # noqa: PLC0415  # slow to import
+
+    rows = []
+    for output in outputs:
+        known = table[table[output].notna()]
+        if len(known) <= len(factors):
+            continue
+        x = np.hstack([np.ones((len(known), 1)), coded(known, factors)])
+        y = known[output].to_numpy(dtype=np.float64)
+        slopes, _, rank, _ = np.linalg.lstsq(x, y, rcond=None)
+        freedom = len(known) - int(rank)
+        residual = y - x @ slopes
+        variance = float(residual @ residual) / freedom if freedom > 0 else np.nan
+        spread = np.sqrt(np.clip(np.diag(np.linalg.pinv(x.T @ x)), 0, None) * variance)
+        reach = spread * float(student.ppf((1 + CONFIDENCE) / 2, freedom)) if freedom > 0 else spread
+        total = float(np.var(y))
+        explained = slopes[1:] ** 2 * np.var(x[:, 1:], axis=0)
+        for index, factor in enumerate(factors):
+            effect, half = 2 * slopes[index + 1], 2 * reach[index + 1]
+            rows.append(
+                {
+                    "output": output,
+                    "factor": factor.name,
+                    "effect": float(effect),
+                    "lower": float(effect - half),
+                    "upper": float(effect + half),
+                    "share": float(explained[index] / total) if total > 0 else 0.0,
+                }
+            )
+    return pd.DataFrame(rows, columns=["output", "factor", "effect", "lower", "upper", "share"])
+
+
+def one_at_a_time_effects(
+    table: pd.DataFrame, factors: Sequence[Factor], outputs: Sequence[str]
+) -> pd.DataFrame:
+    """Read the effects off a one-at-a-time design: exact differences of runs, no fit.
+
+    Returns
+    -------
+    DataFrame
+        Columns `output`, `factor`, `effect` (value at the highest minus value at the lowest setting),
+        `lower`, `upper` (values at the lowest and at the highest setting, minus the value in the middle),
+        `share` (of the sum of squared effects).
+    """
+    import pandas as pd  # noqa: PLC0415  # slow to import
+
+    rows = []
+    for output in outputs:
+        found = []
+        for factor in factors:
+            others = [f.name for f in factors if f is not factor]
+            middle = table.iloc[0]
+            alone = table[(table[others] == middle[others]).all(axis=1) & table[output].notna()]
+            if len(alone) < 2 or np.isnan(middle[output]):
+                continue
+            position = coded(alone, [factor])[:, 0]
+            values = alone[output].to_numpy(dtype=np.float64)
+            low, high = values[position.argmin()], values[position.argmax()]
+            found.append((factor.name, high - low, low - middle[output], high - middle[output]))
+        total = sum(effect**2 for _, effect, _, _ in found)
+        rows += [
+            {
+                "output": output,
+                "factor": name,
+                "effect": float(effect),
+                "lower": float(low),
+                "upper": float(high),
+                "share": float(effect**2 / total) if total > 0 else 0.0,
+            }
+            for name, effect, low, high in found
+        ]
+    return pd.DataFrame(rows, columns=["output", "factor", "effect", "lower", "upper", "share"])

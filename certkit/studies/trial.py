@@ -1,0 +1,148 @@
+"""`Trial`: one run of a study over real procedures. Loads, simulates and grades; draws and writes nothing."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import lru_cache
+from hashlib import sha256
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import certkit
+from certkit.bench.setup import PACKAGES, Setup, prepare
+from certkit.grading import grade_criteria, grade_quality, overall
+from certkit.studies.quantity import written
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from certkit.studies.points import Outputs, Point
+
+DECISIVE = ("definitions", "signals", "mechanics", "grading")
+"""Rooms whose code can change a number: part of what a run is remembered by."""
+
+
+@dataclass(frozen=True)
+class Trial:
+    """An evaluation of points by one or several procedures.
+
+    Outputs are `PROCEDURE/CRITERION`, the same with ` margin` behind it (distance to the nearer limit,
+    negative outside) where it is graded, `PROCEDURE/verdict`, and the quality figures of the run.
+
+    Parameters
+    ----------
+    procedures : tuple of str
+        Names or files.
+    units : mapping of str to str
+        Unit of each numeric parameter, by its name.
+    tied : mapping of str to tuple of (str, float)
+        Further paths that follow a numeric parameter, each with the factor (1 or −1) it is multiplied with.
+    fixed : tuple of str
+        Overrides for every run, `path=value`.
+    library : tuple of str
+        Folders with own definitions.
+    """
+
+    procedures: tuple[str, ...]
+    units: Mapping[str, str] = field(default_factory=dict)
+    tied: Mapping[str, tuple[tuple[str, float], ...]] = field(default_factory=dict)
+    fixed: tuple[str, ...] = ()
+    library: tuple[str, ...] = ()
+
+    def __call__(self, point: Point) -> Outputs:
+        """Run all procedures with the point's settings."""
+        from certkit.mechanics import simulate  # noqa: PLC0415  # the solver waits until something is run
+
+        outputs: dict[str, float | str | None] = {}
+        for name in self.procedures:
+            setup = self.prepared(name, point)
+            simulation = simulate(setup.procedure, setup.legform, vehicle=setup.vehicle)
+            criteria = grade_criteria(setup.procedure, setup.corridors, simulation.recording)
+            quality = grade_quality(simulation.quality)
+            for criterion in criteria:
+                outputs[f"{name}/{criterion.id}"] = criterion.value
+                if criterion.graded:
+                    outputs[f"{name}/{criterion.id} margin"] = criterion.margin
+            outputs[f"{name}/verdict"] = overall(criteria, quality=quality)
+            outputs[f"{name}/energy error %"] = quality.energy_error_percent
+            outputs[f"{name}/joint gap mm"] = quality.joint_gap_mm
+            outputs[f"{name}/penetration mm"] = quality.penetration_mm
+        return outputs
+
+    def prepared(self, procedure: str, point: Point) -> Setup:
+        """Load a procedure with the point's settings.
+
+        Raises
+        ------
+        DefinitionError, UsageError
+            When a setting does not fit.
+        """
+        own = [
+            f"{path}={written(value if factor == 1 else factor * float(value), self.units.get(name, ''))}"
+            for name, value in point.items()
+            for scope, first in [scoped(name)]
+            if scope in {"", procedure}
+            for path, factor in ((first, 1.0), *self.tied.get(name, ()))
+        ]
+        return prepare(
+            procedure, library=[Path(folder) for folder in self.library], overrides=[*self.fixed, *own]
+        )
+
+    @property
+    def context(self) -> str:
+        """What besides a point decides the outputs: definitions, changes, programs."""
+        inputs = [
+            f"{name} {item.role} {item.path} {item.sha256}"
+            for name in self.procedures
+            for item in self.prepared(name, {}).inputs
+        ]
+        return "\n".join(
+            [
+                *inputs,
+                *self.fixed,
+                *map(str, sorted(self.units.items())),
+                str(sorted(self.tied.items())),
+                programs(),
+            ]
+        )
+
+    def nominals(self) -> dict[str, str]:
+        """Return the values in the definitions by parameter name, as written there."""
+        found: dict[str, str] = {}
+        for name in self.procedures:
+            setup = self.prepared(name, {})
+            sheets = [("", setup.procedure), ("legform.", setup.legform), ("vehicle.", setup.vehicle)]
+            for prefix, sheet in sheets:
+                for entry in numbers_of(sheet):
+                    path = prefix + entry[0]
+                    found[f"{name}/{path}"] = entry[1]
+                    found.setdefault(path, entry[1])
+        return found
+
+
+def scoped(name: str) -> tuple[str, str]:
+    """Cut a parameter's name into the procedure it holds for (empty: all of them) and its path."""
+    scope, slash, path = name.partition("/")
+    return (scope, path) if slash else ("", name)
+
+
+def numbers_of(document: object) -> list[tuple[str, str]]:
+    """List path and written value of every number in a document; nothing for None."""
+    from pydantic import BaseModel  # noqa: PLC0415  # beside its only use
+
+    from certkit.definitions.parameters import parameters  # noqa: PLC0415  # likewise
+
+    return [(p.path, p.value) for p in parameters(document)] if isinstance(document, BaseModel) else []
+
+
+@lru_cache(maxsize=1)
+def programs() -> str:
+    """Return versions of the packages and a hash of the code that can change a number."""
+    root = Path(certkit.__file__).parent
+    code = sha256()
+    for room in DECISIVE:
+        for path in sorted((root / room).rglob("*.py")):
+            code.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes())
+    packages = " ".join(f"{name} {version(name)}" for name in PACKAGES)
+    return f"{packages}\n{code.hexdigest()}"
