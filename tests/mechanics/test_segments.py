@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import pytest
@@ -65,10 +66,7 @@ def test_the_leg_weighs_13_2_kg_with_flesh_and_9_38_kg_without(legform: Legform)
 def test_the_leg_is_928_mm_long_without_a_gap(legform: Legform):
     segments = leg_segments(legform)
     assert segments[0].top - segments[-1].bottom == pytest.approx(0.928)
-    assert all(
-        upper.bottom == pytest.approx(lower.top, abs=1e-12)
-        for upper, lower in zip(segments, segments[1:], strict=False)
-    )
+    assert all(upper.bottom == pytest.approx(lower.top, abs=1e-12) for upper, lower in pairwise(segments))
     assert len(segments) == 8 + 2 + 10
     assert all(segment.mass > 0 and segment.inertia > 0 for segment in segments)
 

@@ -1,4 +1,4 @@
-"""A chain of rigid links in minimal coordinates, integrated by scipy: what the pivots of the solver are held against."""
+"""A chain of rigid links in minimal coordinates, integrated by scipy: the oracle of the solver's pivots."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from certkit.mechanics.world import Assembly, World
 
 @dataclass(frozen=True)
 class Chain:
-    """Links from top to bottom: length, distance of the centre of gravity from the top, mass, inertia, joint law."""
+    """Links from top to bottom: length, centre of gravity from the top, mass, inertia, joint law."""
 
     length: np.ndarray
     arm: np.ndarray
@@ -27,7 +27,7 @@ class Chain:
         return len(self.mass)
 
     def centres(self, q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the centres of gravity, shape (n, 2), and their Jacobian, shape (n, 2, n + 2); q = x, z, angles."""
+        """Return the centres of gravity (n, 2) and their Jacobian (n, 2, n + 2); q = x, z, angles."""
         n, angles = self.links, q[2:]
         down = np.stack([np.sin(angles), -np.cos(angles)], axis=1)
         slope = np.stack([np.cos(angles), np.sin(angles)], axis=1)

@@ -1,4 +1,4 @@
-"""Three-point bending of the segmented bones against the equilibrium of the same chain, solved by Newton's method."""
+"""Three-point bending of the segmented bones against the equilibrium of the same chain."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ def equilibrium(
 ) -> tuple[float, float]:
     """Return deflection and moment at mid-span of a chain on two rollers fixed in space, by finite rotations.
 
-    Half the chain by symmetry: straight at the mid joint's two sides, angle by angle outwards. Joint i at a distance
-    along the span from the roller carries F/2 times that distance.
+    Half the chain by symmetry, angle by angle from mid-span outwards: a joint at some distance along the
+    span from its roller carries F/2 times that distance.
     """
     half = segments // 2
     h, k = length / segments, stiffness * segments / length

@@ -7,13 +7,14 @@ import math
 import numpy as np
 import pytest
 from chain_oracle import Chain, bone_chain
+from scipy.linalg import eigh
 
 from certkit.mechanics.laws import BENDING, CRUSH, SUPPORTS
-from certkit.mechanics.loop import Plan, run_world
+from certkit.mechanics.loop import Plan, Trajectory, run_world
 from certkit.mechanics.world import GROUND, Assembly
 
 
-def energy(run) -> np.ndarray:
+def energy(run: Trajectory) -> np.ndarray:
     return run.kinetic + run.stored.sum(axis=1) + run.spent.sum(axis=1)
 
 
@@ -105,8 +106,6 @@ def test_a_ram_that_crushes_honeycomb_against_a_free_bar_keeps_momentum_and_ener
 
 def natural_frequencies(chain: Chain, *, clamped: bool) -> np.ndarray:
     """Return those of the undamped chain in Hz, from its mass and stiffness matrices."""
-    from scipy.linalg import eigh
-
     n = chain.links
     _, jacobian = chain.centres(np.zeros(n + 2))
     mass = np.einsum("i,icj,ick->jk", chain.mass, jacobian, jacobian)
@@ -120,7 +119,7 @@ def natural_frequencies(chain: Chain, *, clamped: bool) -> np.ndarray:
 
 
 def measured_frequency(chain: Chain, shape: np.ndarray, guess: float, *, clamped: bool) -> float:
-    """Let the chain swing gently in a shape of angles; return its frequency from zero crossings of a joint."""
+    """Let the chain swing gently in a shape of angles; return its frequency by zero crossings."""
     n = chain.links
     q = np.zeros(n + 2)
     q[2:] = 1e-4 * shape
@@ -138,7 +137,7 @@ def measured_frequency(chain: Chain, shape: np.ndarray, guess: float, *, clamped
 
 
 def uniform_chain(links: int) -> tuple[Chain, float, float]:
-    """Return a uniform beam cut into links, with its line mass and length; no rotary inertia beyond the rods'."""
+    """Return a uniform beam cut into thin links, the root of its stiffness over line mass, and its length."""
     length, line_mass, bending_stiffness = 0.72, 7.0, 170.0
     h = length / links
     ones = np.ones(links)
@@ -169,16 +168,12 @@ def test_the_segmented_beam_swings_at_its_own_and_nearly_at_the_continuous_frequ
     own = own[own > 1.0][0]
     middles = (np.arange(chain.links) + 0.5) / chain.links * length
     k = root / length
-    if clamped:
-        ratio = (math.cosh(root) + math.cos(root)) / (math.sinh(root) + math.sin(root))
-        shape = k * (
-            np.sinh(k * middles) + np.sin(k * middles) - ratio * (np.cosh(k * middles) - np.cos(k * middles))
-        )
-    else:
-        ratio = (math.cosh(root) - math.cos(root)) / (math.sinh(root) - math.sin(root))
-        shape = k * (
-            np.sinh(k * middles) - np.sin(k * middles) - ratio * (np.cosh(k * middles) + np.cos(k * middles))
-        )
+    # Slopes of the beam's mode, by Rayleigh's formulas.
+    sign = 1 if clamped else -1
+    ratio = (math.cosh(root) + sign * math.cos(root)) / (math.sinh(root) + sign * math.sin(root))
+    odd = np.sinh(k * middles) + sign * np.sin(k * middles)
+    even = np.cosh(k * middles) - sign * np.cos(k * middles)
+    shape = odd - ratio * even
     found = measured_frequency(chain, shape / np.abs(shape).max(), beam, clamped=clamped)
     assert found == pytest.approx(own, rel=5e-3)
     assert own == pytest.approx(beam, rel=0.01)

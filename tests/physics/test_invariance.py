@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from certkit.definitions.library import load
-from certkit.mechanics.laws import BENDING, CABLES
+from certkit.mechanics.laws import BENDING, CABLES, CONDYLES
 from certkit.mechanics.leg import add_leg
 from certkit.mechanics.loop import Plan, run_world
 from certkit.mechanics.segments import leg_segments
@@ -55,7 +55,7 @@ def turned(world: World, angle: float, x: float, z: float) -> World:
 
 
 def mirrored(world: World) -> World:
-    """Return the world seen in a mirror on the leg's axis: every x, angle and rate of turning changes sign."""
+    """Return the world in a mirror on the leg's axis: x, angles and rates of turning change sign."""
     pose, speed, anchor = world.pose.copy(), world.speed.copy(), world.anchor.copy()
     pose[:, [0, 2]] *= -1
     speed[:, [0, 2]] *= -1
@@ -64,8 +64,6 @@ def mirrored(world: World) -> World:
     rows, _, _, start, columns, *_ = world.layout[CABLES]
     cables = number[start : start + rows * columns].reshape(rows, columns)
     cables[:, [0, 2]] *= -1
-    from certkit.mechanics.laws import CONDYLES
-
     rows, _, _, start, columns, first, states = world.layout[CONDYLES]
     condyles = number[start : start + rows * columns].reshape(rows, columns)
     condyles[:, [0, 2]] *= -1
