@@ -138,7 +138,7 @@ def _specimen(data: dict[str, Any], rig: list[str]) -> Iterator[Finding]:
 
 
 def _names(data: dict[str, Any]) -> Iterator[Finding]:
-    """Refuse paths where a file names other definitions: what it names is looked for in the libraries only."""
+    """Refuse paths where a file names other definitions: names are looked for in the libraries only."""
     specimen = data.get("specimen")
     named: list[tuple[Steps, Any]] = [((key,), data.get(key)) for key in ("vehicle", "reference", "score")]
     named.append((("specimen", "legform"), specimen.get("legform") if isinstance(specimen, dict) else None))

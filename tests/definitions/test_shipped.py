@@ -1,0 +1,184 @@
+"""What comes with certkit is valid, agrees with itself, and tells where each number comes from."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+import yaml
+
+from certkit.definitions.catalogue import catalogue
+from certkit.definitions.corridor import CorridorSet
+from certkit.definitions.kinds import KINDS
+from certkit.definitions.library import find, load, names
+from certkit.definitions.origin import CONFIDENCES
+from certkit.definitions.parameters import parameters
+from certkit.definitions.quantities import parse_quantity
+from certkit.definitions.reader import read_tree
+from certkit.definitions.survey import survey_all
+from certkit.definitions.validation import validate
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel
+
+ENTRIES = [(entry.kind, entry.name) for entry in catalogue()]
+PROCEDURES = ["inverse", "inverse-seed", "pendulum", "static-femur", "static-knee", "static-tibia", "vehicle"]
+GRADED = ["T1", "T2", "T3", "T4", "MCL", "ACL", "PCL"]
+# Facts as compiled from open sources and memory; what the files say has to be these numbers.
+RECALLED = {
+    "r127-pendulum": {
+        "T1": ("235 N·m", "272 N·m"),
+        "T2": ("187 N·m", "219 N·m"),
+        "T3": ("139 N·m", "166 N·m"),
+        "T4": ("90 N·m", "111 N·m"),
+        "MCL": ("20.5 mm", "24.0 mm"),
+        "ACL": ("8.0 mm", "10.5 mm"),
+        "PCL": ("3.5 mm", "5.0 mm"),
+    },
+    "r127-inverse": {
+        "T1": ("230 N·m", "272 N·m"),
+        "T2": ("210 N·m", "252 N·m"),
+        "T3": ("166 N·m", "192 N·m"),
+        "T4": ("93 N·m", "108 N·m"),
+        "MCL": ("17.0 mm", "21.0 mm"),
+        "ACL": ("8.0 mm", "10.0 mm"),
+        "PCL": ("4.0 mm", "6.0 mm"),
+    },
+}
+
+
+def test_every_procedure_of_the_contract_is_there():
+    assert set(PROCEDURES) <= set(names("procedure"))
+
+
+def test_everything_shipped_is_valid_and_agrees_with_what_it_names():
+    assert [str(problem) for _, found in survey_all() for problem in found] == []
+
+
+@pytest.mark.parametrize(("kind", "name"), ENTRIES)
+def test_every_number_has_a_value_a_source_and_a_confidence(kind: str, name: str):
+    document = load(kind, name).document
+    numbers = parameters(document)
+    assert numbers or (isinstance(document, CorridorSet) and document.awaited) or kind == "family"
+    for number in numbers:
+        assert number.path
+        assert number.value
+        assert len(number.source) >= 10
+        assert number.confidence in CONFIDENCES
+
+
+def as_data(document: BaseModel) -> object:
+    """Return a document as plain data; origins of sections stand beside every number in it anyway."""
+
+    def bare(data: object) -> object:
+        if isinstance(data, dict):
+            return {key: bare(value) for key, value in data.items() if key != "origin"}
+        return [bare(value) for value in data] if isinstance(data, list) else data
+
+    return bare(document.model_dump(mode="json", exclude_none=True))
+
+
+@pytest.mark.parametrize(("kind", "name"), ENTRIES)
+def test_a_document_survives_being_written_and_read_again(kind: str, name: str):
+    document = load(kind, name).document
+    data = document.model_dump(mode="json", exclude_none=True)
+    text = yaml.safe_dump(data, allow_unicode=True, sort_keys=False)
+    again = validate(read_tree(text, "again.yaml"), KINDS[kind].model, KINDS[kind].check)
+    assert as_data(again) == as_data(document)
+    assert parameters(again) == parameters(document)
+
+
+@pytest.mark.parametrize(("kind", "name"), ENTRIES)
+def test_a_file_is_called_what_it_says_it_is(kind: str, name: str):
+    assert load(kind, name).name == name
+
+
+@pytest.mark.parametrize(("kind", "name"), ENTRIES)
+def test_a_shipped_file_is_named_without_the_machines_folders(kind: str, name: str):
+    assert find(KINDS[kind], name).label == f"{KINDS[kind].folder}/{name}.yaml"
+
+
+@pytest.mark.parametrize(("kind", "name"), ENTRIES)
+def test_no_number_read_nowhere_is_called_verified(kind: str, name: str):
+    for number in parameters(load(kind, name).document):
+        if "remembered" in number.source and not number.source.startswith("5 kg"):
+            assert number.confidence in {"recalled", "estimated"}
+
+
+@pytest.mark.parametrize("name", RECALLED)
+def test_the_dynamic_corridors_are_the_remembered_ones_and_say_so(name: str):
+    windows = load("corridors", name).document.windows
+    assert {entry: (window.lower, window.upper) for entry, window in windows.items()} == RECALLED[name]
+    assert {window.confidence for window in windows.values()} == {"recalled"}
+
+
+@pytest.mark.parametrize(("procedure", "corridors"), [("pendulum", "r127-pendulum"), ("inverse", "r127-inverse")])
+def test_a_dynamic_test_grades_the_seven_regulated_channels_at_cfc_180(procedure: str, corridors: str):
+    criteria = load("procedure", procedure).document.criteria
+    assert {c.id: c.corridor for c in criteria if c.corridor} == {i: f"{corridors}/{i}" for i in GRADED}
+    assert {c.id for c in criteria if c.corridor is None} == {"F1", "F2", "F3", "LCL"}
+    assert {(c.filter, c.measure) for c in criteria} == {("CFC 180", "max")}
+
+
+def test_the_seeds_test_grades_nothing_and_is_compared_with_its_table():
+    seed = load("procedure", "inverse-seed").document
+    assert all(criterion.corridor is None for criterion in seed.criteria)
+    assert seed.reference == "seed-table-1"
+    assert (seed.rig.ram.mass, seed.rig.ram.speed) == (8.0, 11.0)
+    assert seed.rig.ram.mass.confidence == "verified"
+
+
+def test_the_published_simulation_has_the_errors_that_the_paper_prints():
+    table = load("reference", "seed-table-1").document
+    errors = {
+        name: round(100 * (parse_quantity(table.published[name], "moment") / parse_quantity(value, "moment") - 1))
+        for name, value in table.values.items()
+    }
+    assert errors == {"F3": -36, "F2": -13, "F1": 4, "T1": 3, "T2": 0, "T3": -9, "T4": -16}
+
+
+@pytest.mark.parametrize(("bone", "force"), [("femur", 4848.0), ("tibia", 3902.0)])
+def test_the_bones_carry_400_newton_metres_at_the_papers_load(bone: str, force: float):
+    rig = load("procedure", f"static-{bone}").document.rig
+    assert rig.loading_ram.force == force
+    assert force / 2 * rig.supports.span / 2 == pytest.approx(400, rel=2e-4)
+    window = load("corridors", "seed-static").document.windows[bone]
+    lower, upper = (parse_quantity(text, "moment") for text in (window.lower, window.upper))
+    tolerance = 400 * 0.002 / rig.supports.span  # ±2 mm in the span
+    assert (lower, upper) == pytest.approx((400 - tolerance, 400 + tolerance), abs=0.1)
+    assert window.confidence == "derived"
+
+
+def test_the_knee_waits_for_the_regulations_areas():
+    criteria = load("procedure", "static-knee").document.criteria
+    awaited = load("corridors", "r127-static").document
+    assert [c.id for c in criteria] == ["MCL-force", "ACL-force", "PCL-force", "LCL-force"]
+    for criterion in criteria[:3]:
+        assert awaited.entry(criterion.corridor.partition("/")[2]) is None
+
+
+def test_the_limits_of_the_vehicle_test_name_their_secondary_source():
+    windows = load("corridors", "r127-vehicle").document.windows
+    limits = {name: window.upper for name, window in windows.items()}
+    assert limits == {
+        "tibia": "340 N·m",
+        "tibia-relaxed": "380 N·m",
+        "MCL": "22 mm",
+        "ACL": "13 mm",
+        "PCL": "13 mm",
+    }
+    assert all("secondary" in (window.source or "") for window in windows.values())
+
+
+def test_scores_for_another_legform_are_marked():
+    assert load("corridors", "euro-ncap-2026").document.impactor == "aPLI"
+    assert load("corridors", "euro-ncap-2014").document.impactor == "Flex-PLI"
+
+
+def test_masses_of_the_parts_add_up_to_the_legs():
+    leg = load("legform", "flex-pli-gtr").document
+    bones = leg.femur.mass + leg.knee.mass + leg.tibia.mass
+    assert bones == pytest.approx(9.38, abs=0.005)
+    assert bones + leg.flesh.mass == pytest.approx(13.2, abs=0.005)
+    assert leg.femur.length + leg.knee.above_centre == pytest.approx(0.433)
+    assert leg.tibia.length + leg.knee.below_centre == pytest.approx(0.495)
