@@ -22,6 +22,7 @@ from certkit.cli import (
     schema,
     show,
     validate,
+    verify,
 )
 from certkit.errors import CertkitError
 
@@ -51,6 +52,7 @@ app.command("compare", rich_help_panel=TESTS)(compare.compare)
 app.command("report", rich_help_panel=TESTS)(report.report)
 app.command("figure", rich_help_panel=TESTS)(figure.figure)
 app.command("export", rich_help_panel=TESTS)(export.export)
+app.command("verify", rich_help_panel=TESTS)(verify.verify)
 app.command("extract", rich_help_panel=MODELS)(extract.extract)
 app.command("list", rich_help_panel=DEFINITIONS)(list_.list_)
 app.command("show", rich_help_panel=DEFINITIONS)(show.show)
@@ -89,7 +91,9 @@ def main() -> None:
         sys.exit(0)
     except Exception:  # noqa: BLE001  # Python's own exit code for a crash would read as the verdict `fail`
         traceback.print_exc()
-        typer.echo("error: this is a fault of certkit, not of your files; please report the lines above", err=True)
+        typer.echo(
+            "error: this is a fault of certkit, not of your files; please report the lines above", err=True
+        )
         sys.exit(CertkitError.exit_code)
     except KeyboardInterrupt:
         typer.echo("interrupted; nothing half-written is left behind", err=True)

@@ -66,6 +66,7 @@ def grade(
     wanted = terminal.formats(formats)
     permitted = terminal.allowed(allow)
     several = len(data) > 1
+    folder = out or Path("runs")
     results = []
     with terminal.progress(len(data), quiet=quiet or as_json) as step:
         for path in data:
@@ -79,10 +80,10 @@ def grade(
                 library=tuple(library or ()),
                 overrides=tuple(overrides or ()),
             )
-            folder = (out / path.stem if several else out) if out else Path("runs") / path.stem
-            written = bench.save(result, folder, wanted)
+            place = folder / path.stem if several or out is None else folder
+            written = bench.save(result, place, wanted)
             results.append(result)
             if verbose:
                 terminal.tell_files(written)
-    terminal.show(results, as_json=as_json, folder=out or Path("runs"))
+    terminal.show(results, as_json=as_json, folder=folder if several or out else place)
     raise typer.Exit(terminal.exit_code(results, permitted))

@@ -1,0 +1,76 @@
+"""The files that a certificate's PDF carries, and the list of their hashes."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from certkit.errors import DataError, RunError
+from certkit.exchange.container import read_bounded
+from certkit.reporting.attachments import MANIFEST, SCHEMA
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+MOST = 500
+"""Attachments; a suite of seven procedures has about fifty."""
+
+
+@dataclass(frozen=True)
+class Attached:
+    """What is attached: bytes by name, and the hashes of the manifest by name."""
+
+    files: Mapping[str, bytes]
+    listed: Mapping[str, str]
+
+
+def attachments_of(path: Path) -> Attached:
+    """Read the attachments of a PDF. Nothing in it is shown or run.
+
+    Raises
+    ------
+    DataError
+        When it is no PDF, is damaged, or carries no manifest.
+    RunError
+        When the package that opens PDFs is not installed.
+    """
+    files = dict(_attachments(path))
+    if MANIFEST not in files:
+        raise DataError(
+            f"{path}: carries no {MANIFEST}; only certificates that certkit wrote can be verified"
+        )
+    manifest = files.pop(MANIFEST)
+    try:
+        listed: Any = json.loads(manifest)
+        if listed["schema"] != SCHEMA:
+            raise DataError(
+                f"{path}: {MANIFEST} has the schema {listed['schema']!r}; this certkit knows {SCHEMA}"
+            )
+        hashes = {str(item["name"]): str(item["sha256"]) for item in listed["attachments"]}
+    except (ValueError, KeyError, TypeError) as error:
+        raise DataError(
+            f"{path}: {MANIFEST} is damaged; the certificate was changed since it was made"
+        ) from error
+    return Attached(files, hashes)
+
+
+def _attachments(path: Path) -> list[tuple[str, bytes]]:
+    try:
+        import pikepdf  # noqa: PLC0415  # an extra
+    except ImportError as error:
+        raise RunError(
+            "PDFs are opened with pikepdf: pip install 'certkit[verify]'; result.json needs nothing"
+        ) from error
+    content = read_bounded(path)
+    try:
+        import io  # noqa: PLC0415  # only here
+
+        with pikepdf.open(io.BytesIO(content)) as document:
+            names = list(document.attachments)
+            if len(names) > MOST:
+                raise DataError(f"{path}: {len(names)} attachments; this is no certificate of certkit")
+            return [(name, document.attachments[name].get_file().read_bytes()) for name in names]
+    except pikepdf.PdfError as error:
+        raise DataError(f"{path}: not a whole PDF ({error}); take the file as it was handed over") from error

@@ -1,0 +1,82 @@
+"""Grade a result document again, from the channels and the definitions that it carries."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.bench.laboratory import NO_LABORATORY, LaboratoryPart, laboratory_part
+from certkit.bench.setup import prepare
+from certkit.definitions.kinds import KINDS
+from certkit.definitions.laboratory import Laboratory
+from certkit.definitions.reader import read_tree
+from certkit.definitions.shelves import TextShelf
+from certkit.definitions.validation import validate
+from certkit.errors import DataError
+from certkit.grading import evaluate
+from certkit.grading.curves import recording_of
+
+if TYPE_CHECKING:
+    from certkit.grading.result import Result
+
+
+def embedded_shelf(result: Result) -> TextShelf:
+    """Return the definitions that a result carries, as a place where definitions are looked for."""
+    texts = {}
+    for item in result.provenance.inputs:
+        if item.text is not None and item.role in KINDS:
+            name = read_tree(item.text, item.path).data.get(item.role)
+            texts[item.role, str(name)] = item.text
+    return TextShelf(texts)
+
+
+def regrade(result: Result) -> Result:
+    """Grade the carried channels again by the carried definitions, with the values that were changed then.
+
+    Returns
+    -------
+    Result
+        What certkit, as it is today, makes of them.
+
+    Raises
+    ------
+    DataError
+        When the document carries no channels, or not its own procedure.
+    DefinitionError
+        When a carried definition cannot be used any more.
+    """
+    shelf = embedded_shelf(result)
+    if ("procedure", result.procedure) not in shelf.texts:
+        raise DataError(
+            f"the document does not carry its procedure `{result.procedure}`; it cannot be graded again"
+        )
+    overrides = [f"{change.path}={change.value}" for change in result.provenance.overrides]
+    setup = prepare(result.procedure, library=(shelf,), overrides=overrides)
+    lab = _laboratory(result)
+    numerical = {
+        c.id: c.uncertainty.numerical
+        for c in result.criteria
+        if c.uncertainty is not None and c.uncertainty.numerical is not None
+    }
+    return evaluate(
+        setup.procedure,
+        setup.corridors,
+        recording_of(result),
+        provenance=result.provenance,
+        reference=setup.reference,
+        quality=result.quality,
+        parameters=result.parameters,
+        laboratory=result.laboratory,
+        checks=lab.checks,
+        decision=lab.decision,
+        uncertainties=lab.uncertainties,
+        numerical=numerical,
+        # What was let pass then is let pass now, and listed in the document's notes.
+        lenient=True,
+    )
+
+
+def _laboratory(result: Result) -> LaboratoryPart:
+    source = next((item for item in result.provenance.inputs if item.role == "laboratory"), None)
+    if source is None or source.text is None:
+        return NO_LABORATORY
+    return laboratory_part(validate(read_tree(source.text, source.path), Laboratory), None, source)

@@ -1,0 +1,237 @@
+"""`verify`: check every hash of a certificate, then grade it again from what it carries."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit._version import __version__
+from certkit.bench.attached import Attached, attachments_of
+from certkit.bench.regrade import regrade
+from certkit.errors import CertkitError, DataError
+from certkit.exchange.container import read_bounded
+from certkit.grading import from_json, to_json
+from certkit.grading.identity import certificate_id
+from certkit.reporting.machine import channels_csv
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from pathlib import Path
+
+    from certkit.grading.result import CriterionResult, Result
+
+SAME = 1e-5
+"""Relative difference of values that count as the same: the document keeps seven digits of its channels."""
+
+
+@dataclass(frozen=True)
+class Check:
+    """One thing that was checked: what it is called, whether it holds, and why not."""
+
+    what: str
+    holds: bool
+    said: str = ""
+
+
+@dataclass(frozen=True)
+class Verification:
+    """What came of all checks.
+
+    Parameters
+    ----------
+    certificate : str
+        The file or folder as the user named it.
+    ids : tuple of str
+        Certificate ids found in it.
+    checks : tuple of Check
+        In the order they were made.
+    """
+
+    certificate: str
+    ids: tuple[str, ...]
+    checks: tuple[Check, ...]
+
+    @property
+    def holds(self) -> bool:
+        """Whether every check held."""
+        return all(check.holds for check in self.checks)
+
+
+def verify(path: Path) -> Verification:
+    """Check a certificate.
+
+    Parameters
+    ----------
+    path : Path
+        `result.json`, `report.pdf` (by its attachments), or the folder of a run.
+
+    Raises
+    ------
+    DataError
+        When it is none of them, or so damaged that nothing can be checked.
+    """
+    if path.is_dir():
+        return _folder(path)
+    if path.suffix.lower() == ".pdf":
+        return _pdf(path)
+    result = _result(read_bounded(path), str(path))
+    checks = (*_document_checks(path.name, read_bounded(path), result), *_grading_checks(result))
+    return Verification(str(path), (result.id,), checks)
+
+
+def _folder(path: Path) -> Verification:
+    document = path / "result.json"
+    if not document.is_file():
+        raise DataError(f"{path}: no result.json in it; name the folder of one run, a result.json or a PDF")
+    content = read_bounded(document)
+    result = _result(content, str(document))
+    checks = _document_checks("result.json", content, result)
+    table = path / "channels.csv"
+    if table.is_file():
+        checks.append(_table_check("channels.csv", read_bounded(table), result))
+    checks += _report_checks(path, result)
+    pdf = path / "report.pdf"
+    if pdf.is_file():
+        inside = _pdf(pdf, again=False)
+        checks += [Check(f"report.pdf: {check.what}", check.holds, check.said) for check in inside.checks]
+        same = result.id in inside.ids
+        checks.append(
+            Check("report.pdf: certificate", same, "" if same else f"certifies {', '.join(inside.ids)}")
+        )
+    checks += _grading_checks(result)
+    return Verification(str(path), (result.id,), tuple(checks))
+
+
+def _report_checks(path: Path, result: Result) -> Iterator[Check]:
+    """Check that the reports beside a document are what it renders to; another certkit may draw it otherwise."""
+    if result.provenance.certkit != __version__:
+        return
+    from certkit.reporting.junit import junit  # noqa: PLC0415  # jinja2 only where there is a page to check
+    from certkit.reporting.markdown import summary  # noqa: PLC0415  # likewise
+    from certkit.reporting.page import page  # noqa: PLC0415  # likewise
+
+    makers: dict[str, Callable[[], str | bytes]] = {
+        "report.html": lambda: page(result),
+        "junit.xml": lambda: junit([result]),
+        "summary.md": lambda: summary([result]),
+    }
+    for name, make in makers.items():
+        if (path / name).is_file():
+            made = make()
+            same = read_bounded(path / name) == (made.encode() if isinstance(made, str) else made)
+            yield Check(
+                name, same, "" if same else "is not what result.json renders to; one of both was changed"
+            )
+
+
+def _pdf(path: Path, *, again: bool = True) -> Verification:
+    attached = attachments_of(path)
+    checks = list(_manifest_checks(attached))
+    ids = []
+    for name, content in sorted(attached.files.items()):
+        if name.rpartition("/")[2] != "result.json" and not name.endswith("-result.json"):
+            continue
+        result = _result(content, name, checks)
+        ids.append(result.id)
+        checks += _document_checks(name, content, result, bytes_matter=False)
+        table = attached.files.get(name.removesuffix("result.json") + "channels.csv")
+        if table is not None:
+            checks.append(_table_check(name.removesuffix("result.json") + "channels.csv", table, result))
+        if again:
+            checks += _grading_checks(result)
+    if not ids:
+        raise DataError(
+            f"{path}: no result.json is attached; only certificates that certkit wrote can be verified"
+        )
+    return Verification(str(path), tuple(ids), tuple(checks))
+
+
+def _manifest_checks(attached: Attached) -> Iterator[Check]:
+    for name in sorted(set(attached.listed) | set(attached.files)):
+        if name not in attached.listed:
+            yield Check(name, holds=False, said="is attached, but not in the manifest")
+        elif name not in attached.files:
+            yield Check(name, holds=False, said="is in the manifest, but not attached")
+        else:
+            same = hashlib.sha256(attached.files[name]).hexdigest() == attached.listed[name]
+            yield Check(name, same, "" if same else "was changed since the certificate was made")
+
+
+def _result(content: bytes, name: str, found: list[Check] | None = None) -> Result:
+    """Read a document; when it is too damaged, say what the hashes have shown already."""
+    try:
+        return from_json(content, name)
+    except DataError as error:
+        changed = [check.what for check in found or [] if not check.holds]
+        if changed:
+            raise DataError(
+                f"{changed[0]} was changed since it was written, and cannot be read: {error}"
+            ) from error
+        raise
+
+
+def _document_checks(name: str, content: bytes, result: Result, *, bytes_matter: bool = True) -> list[Check]:
+    """Check a document's own id, its bytes, and the hashes of the definitions it carries."""
+    expected = certificate_id(result)
+    same = expected == result.id
+    said = "" if same else f"its content was changed: it says {result.id}, its content makes {expected}"
+    checks = [Check(f"{name}: certificate id", same, said)]
+    if bytes_matter and same:
+        untouched = content == to_json(result).encode()
+        checks.append(
+            Check(f"{name}: bytes", untouched, "" if untouched else "are not as certkit writes them")
+        )
+    for item in result.provenance.inputs:
+        if item.text is None:
+            continue
+        digests = {hashlib.sha256(mark + item.text.encode()).hexdigest() for mark in (b"", b"\xef\xbb\xbf")}
+        kept = item.sha256 in digests
+        checks.append(
+            Check(
+                f"{name}: {item.role} {item.path}", kept, "" if kept else "was changed: its hash is another"
+            )
+        )
+    return checks
+
+
+def _table_check(name: str, content: bytes, result: Result) -> Check:
+    table = channels_csv(result)
+    same = table is not None and table.encode() == content
+    return Check(
+        f"{name}: channels of the result", same, "" if same else "differ from the document's channels"
+    )
+
+
+def _grading_checks(result: Result) -> list[Check]:
+    """Grade again, and compare the overall verdict and every criterion."""
+    try:
+        again = regrade(result)
+    except CertkitError as error:
+        return [Check("graded again", holds=False, said=" ".join(str(error).split()))]
+    now = {criterion.id: criterion for criterion in again.criteria}
+    checks = [
+        Check(f"graded again: {before.id}", not (said := _difference(before, now.get(before.id))), said)
+        for before in result.criteria
+    ]
+    same = again.verdict == result.verdict
+    said = again.verdict if same else f"it said {result.verdict}; graded again it is {again.verdict}"
+    return [*checks, Check("graded again: verdict", same, said)]
+
+
+def _difference(before: CriterionResult, after: CriterionResult | None) -> str:
+    """Say how a criterion differs; empty when it does not."""
+    if after is None:
+        return "is not among the procedure's criteria"
+    if before.verdict != after.verdict:
+        return f"it said {before.verdict}; graded again it is {after.verdict}"
+    if (before.value is None) != (after.value is None):
+        return "has a value in only one of both"
+    if before.value is not None and after.value is not None:
+        scale = max(abs(before.value), abs((before.upper or 0.0) - (before.lower or 0.0)))
+        if not math.isclose(before.value, after.value, rel_tol=SAME, abs_tol=SAME * scale):
+            return f"it said {before.value:.6g} {before.unit}; graded again it is {after.value:.6g}"
+    if (before.lower, before.upper) != (after.lower, after.upper):
+        return "its corridor is another"
+    return ""
