@@ -13,7 +13,7 @@ from certkit.grading.corridors import Corridor, Missing, band_lines, find_corrid
 from certkit.grading.curves import MOST_POINTS, plane_points
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule, decide
 from certkit.grading.measure import Measured, channel_name
-from certkit.grading.plane import band_distance, polygon_distance, refined
+from certkit.grading.plane import band_distance, end_faces, polygon_distance, refined
 from certkit.grading.result import Band, CriterionResult, CurveInPlane, Uncertainty
 
 if TYPE_CHECKING:
@@ -186,7 +186,7 @@ def _inside_polygon(trace: Trace, corners: NDArray[np.float64]) -> _Held:
         (min(float(v.max()), float(begin + extent)) - max(float(v.min()), float(begin))) / float(extent)
         for v, begin, extent in zip((x, y), low, size, strict=True)
     )
-    distance = polygon_distance(x, y, corners)
+    distance = polygon_distance(x, y, corners, end_faces(x, y, corners))
     counted = np.abs(y) >= START_OF_CURVE * np.abs(y).max()
     if (distance < 0).any():
         counted = np.ones_like(counted)

@@ -122,8 +122,14 @@ def histories(
     )
 
 
-def recording_of(result: Result) -> Recording:
+def recording_of(result: Result, source: str | None = None) -> Recording:
     """Return the recording that a result document carries, so that it can be graded again.
+
+    Parameters
+    ----------
+    result : Result
+    source : str, optional
+        Where it came from; the procedure's name when missing.
 
     Raises
     ------
@@ -143,7 +149,9 @@ def recording_of(result: Result) -> Recording:
         "simulated" if result.kind == "virtual certification" else "measured"
     )
     time = carried.start + carried.interval * np.arange(carried.count, dtype=np.float64)
-    return Recording(kind, time, channels, conditions=dict(result.conditions), source=result.procedure)
+    return Recording(
+        kind, time, channels, conditions=dict(result.conditions), source=source or result.procedure
+    )
 
 
 def thinned(values: NDArray[np.float64], stride: int) -> NDArray[np.float64]:

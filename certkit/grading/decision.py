@@ -135,10 +135,10 @@ def false_accept(value: float, lower: float | None, upper: float | None, expande
     expanded : float
         Expanded uncertainty U = 2·u; 0 is a sure measurement.
     """
-    if expanded == 0:
+    scale = math.sqrt(2.0) * expanded / COVERAGE
+    if scale == 0:
         outside = (lower is not None and value < lower) or (upper is not None and value > upper)
         return 1.0 if outside else 0.0
-    scale = math.sqrt(2.0) * expanded / COVERAGE
     below = 0.0 if lower is None else 0.5 * math.erfc((value - lower) / scale)
     above = 0.0 if upper is None else 0.5 * math.erfc((upper - value) / scale)
     return below + above

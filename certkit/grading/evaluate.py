@@ -130,7 +130,15 @@ def evaluate(  # noqa: PLR0913  # everything that a result carries comes in here
     preconditions = [*grade_preconditions(procedure.preconditions, recording), *checks]
     kind: Kind = "virtual certification" if recording.kind == "simulated" else "test evaluation"
     scores, unscored = _scores(procedure, corridors, criteria)
-    said = remarks(kind, criteria, preconditions=preconditions, quality=quality, parameters=parameters)
+    comparison = None if reference is None else compare(reference, criteria)
+    said = remarks(
+        kind,
+        criteria,
+        preconditions=preconditions,
+        quality=quality,
+        parameters=parameters,
+        comparison=comparison,
+    )
     result = Result(
         kind=kind,
         procedure=procedure.procedure,
@@ -144,7 +152,7 @@ def evaluate(  # noqa: PLR0913  # everything that a result carries comes in here
         preconditions=preconditions,
         conditions=_finite(recording.conditions),
         scores=scores,
-        comparison=None if reference is None else compare(reference, criteria),
+        comparison=comparison,
         quality=quality,
         interval=None if taken.interval is None else (taken.interval.start, taken.interval.end),
         energies=energies,

@@ -8,7 +8,14 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from certkit.definitions.origin import Confidence
-    from certkit.grading.result import CriterionResult, Kind, Parameter, PreconditionResult, Quality
+    from certkit.grading.result import (
+        Comparison,
+        CriterionResult,
+        Kind,
+        Parameter,
+        PreconditionResult,
+        Quality,
+    )
 
 TITLES: dict[Kind, str] = {
     "virtual certification": (
@@ -32,6 +39,7 @@ def remarks(
     preconditions: Sequence[PreconditionResult] = (),
     quality: Quality | None = None,
     parameters: Sequence[Parameter] = (),
+    comparison: Comparison | None = None,
 ) -> list[str]:
     """Return the remarks of a result, the weightiest first."""
     said: list[str] = []
@@ -55,6 +63,8 @@ def remarks(
     shown = [criterion.id for criterion in criteria if not criterion.graded]
     if shown and graded:
         said.append(f"Does not cover {_listed(shown)}: shown for information, no corridor is known.")
+    if comparison is not None:
+        said.append(_compared(comparison))
     if kind == "virtual certification" and parameters:
         said.append(_model(parameters))
     said.append(TITLES[kind])
@@ -71,6 +81,12 @@ def _confidence(graded: Iterable[CriterionResult]) -> list[str]:
         f"Rests on {_RESTS[confidence]} ({_listed(names)})."
         for confidence, names in sorted(by_confidence.items())
     ]
+
+
+def _compared(comparison: Comparison) -> str:
+    said = f"Compared with {comparison.reference}: rms error {comparison.rms_error_percent:.1f} %"
+    published = comparison.published_rms_error_percent
+    return f"{said}." if published is None else f"{said} (the published simulation: {published:.1f} %)."
 
 
 def _model(parameters: Sequence[Parameter]) -> str:

@@ -43,12 +43,15 @@ def rounded_all(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
     # A whole number over a power of ten up to 1e22 is the nearest double to the decimal, so it prints short.
     size = np.abs(given)
     plain = (size < 1e-15) | (size > 1e15) | ~np.isfinite(size)
-    exponent = SIGNIFICANT_DIGITS - 1 - np.floor(np.log10(np.where(plain, 1.0, size)))
+    size[plain] = 1.0
+    exponent = SIGNIFICANT_DIGITS - 1 - np.floor(np.log10(size))
     # Powers from a table: a vectorised `**` may be an ulp off, and then the quotient prints long.
     powers = np.array([float(f"1e{k}") for k in range(23)])
     up, down = (powers[np.maximum(e, 0).astype(np.intp)] for e in (exponent, -exponent))
-    listed: list[float] = np.where(plain, given, np.rint(given * up / down) * down / up).tolist()
-    for index in np.flatnonzero(plain & (size > 0)):
+    listed: list[float] = np.where(
+        plain, given, np.rint(size * up / down) * down / up * np.sign(given)
+    ).tolist()
+    for index in np.flatnonzero(plain & (given != 0)):
         listed[int(index)] = rounded(listed[int(index)])
     return listed
 

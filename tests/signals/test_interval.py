@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import pytest
-from curves import Floats
 
 from certkit.signals import assessment_interval
+
+if TYPE_CHECKING:
+    from curves import Floats
 
 TIME = np.arange(0, 0.1, 1e-5)
 

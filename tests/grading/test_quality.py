@@ -1,0 +1,113 @@
+"""The quality gate, and the numerical uncertainty from refined runs."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from certkit.errors import UsageError
+from certkit.grading import grade_quality, numerical_uncertainties, step_change_percent
+from certkit.grading.refinement import numerical_uncertainty
+
+
+@dataclass(frozen=True)
+class Figures:
+    energy_error_percent: float = 0.05
+    joint_gap_mm: float = 0.006
+    penetration_mm: float = 0.3
+    steps: int = 30000
+    time_step: float = 2e-5
+
+
+def test_a_run_within_all_limits_can_be_trusted():
+    quality = grade_quality(Figures(), step_change_percent=0.04, solver_seconds=0.2)
+    assert quality.verdict == "pass"
+    assert [check.verdict for check in quality.checks] == ["pass"] * 4
+
+
+@pytest.mark.parametrize(
+    "worse",
+    [
+        {"energy_error_percent": 0.51},
+        {"joint_gap_mm": 0.021},
+        {"penetration_mm": 2.1},
+        {"energy_error_percent": math.nan},
+        {"joint_gap_mm": math.inf},
+    ],
+)
+def test_one_figure_beyond_its_limit_is_an_error(worse: dict[str, float]):
+    assert grade_quality(replace(Figures(), **worse)).verdict == "error"
+
+
+@pytest.mark.parametrize("change", [0.51, math.inf, math.nan])
+def test_a_step_that_matters_is_an_error(change: float):
+    assert grade_quality(Figures(), step_change_percent=change).verdict == "error"
+
+
+def test_nobody_looking_at_the_step_is_told_apart_from_no_change():
+    assert grade_quality(Figures()).step_change_percent is None
+    assert grade_quality(Figures(), step_change_percent=0.0).step_change_percent == 0.0
+
+
+def second_order(h: float, error: float = 3.0) -> float:
+    return 250.0 + error * h**2
+
+
+def test_three_runs_of_second_order_bound_the_true_error_by_a_quarter_more():
+    values = [second_order(h) for h in (1.0, 0.5, 0.25)]
+    assert numerical_uncertainty(values) == pytest.approx(1.25 * 3.0)
+
+
+def test_two_runs_assume_second_order_and_treble_it():
+    values = [second_order(h) for h in (1.0, 0.5)]
+    assert numerical_uncertainty(values) == pytest.approx(3.0 * 3.0)
+
+
+def test_runs_of_first_order_are_given_more_room():
+    values = [250.0 + 3.0 * h for h in (1.0, 0.5, 0.25)]
+    assert numerical_uncertainty(values) == pytest.approx(1.25 * 3.0)
+
+
+def test_runs_that_swing_or_diverge_are_not_believed():
+    assert numerical_uncertainty([250.0, 251.0, 250.5]) == pytest.approx(4.0)
+    assert numerical_uncertainty([250.0, 250.1, 252.0]) == pytest.approx(3 * 1.9)
+
+
+def test_runs_that_agree_have_no_uncertainty():
+    assert numerical_uncertainty([250.0, 250.0]) == 0.0
+    assert numerical_uncertainty([250.0, 250.0, 250.0]) == 0.0
+
+
+@given(st.floats(100, 300), st.floats(-5, 5), st.floats(0.7, 2.0))
+def test_the_uncertainty_covers_the_error_of_any_regular_run(exact: float, error: float, order: float):
+    values = [exact + error * h**order for h in (1.0, 0.5, 0.25)]
+    assert numerical_uncertainty(values) >= abs(error) * (1 - 1e-6) - 1e-9
+
+
+@pytest.mark.parametrize("values", [[], [1.0], [1.0, 2.0, 3.0, 4.0]])
+def test_a_refinement_is_two_or_three_runs(values: list[float]):
+    with pytest.raises(UsageError, match="two or three runs"):
+        numerical_uncertainty(values)
+
+
+def test_only_criteria_that_all_runs_measured_get_an_uncertainty():
+    assert numerical_uncertainties([{"T1": 250.0, "T2": None}, {"T1": 251.0, "T2": 3.0}]) == {
+        "T1": pytest.approx(4.0)
+    }
+
+
+def test_the_step_change_is_the_largest_of_all_criteria():
+    assert step_change_percent({"T1": 200.0, "T2": 100.0}, {"T1": 201.0, "T2": 100.2}) == pytest.approx(0.5)
+
+
+def test_a_peak_of_nearly_zero_is_measured_by_its_floor():
+    assert step_change_percent({"F3": 0.001}, {"F3": 0.002}, {"F3": 1.0}) == pytest.approx(0.1)
+
+
+def test_a_criterion_that_appears_or_vanishes_is_an_endless_change():
+    assert step_change_percent({"T1": None}, {"T1": 1.0}) == math.inf
+    assert step_change_percent({"T1": None}, {"T1": None}) == 0.0
