@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Literal, get_args
 from certkit.errors import UsageError
 from certkit.reporting.charts.errors import errors_chart
 from certkit.reporting.charts.frames import frames_chart
-from certkit.reporting.charts.history import history_chart, times
-from certkit.reporting.charts.lines import lines_chart
+from certkit.reporting.charts.history import history_chart
+from certkit.reporting.charts.lines import energies_chart
 from certkit.reporting.charts.plane import plane_chart
 from certkit.reporting.charts.sheet import sheet
 from certkit.reporting.charts.tables import corridors_table, errors_table
@@ -70,19 +70,11 @@ def _draw(result: Result, what: str, channels: Sequence[str]) -> str | None:
         "history": lambda: _histories(result, channels),
         "curve": lambda: _curves(result, channels),
         "frames": lambda: frames_chart(result.motion) if result.motion and result.motion.poses else None,
-        "energy": lambda: _energies(result),
+        "energy": lambda: energies_chart(result.energies) if result.energies else None,
         "table": lambda: errors_table(c) if (c := result.comparison) and c.rows else None,
         "errors": lambda: errors_chart(c) if (c := result.comparison) and c.rows else None,
     }
     return painters[what]()
-
-
-def _energies(result: Result) -> str | None:
-    energies = result.energies
-    if energies is None or energies.count < 2:
-        return None
-    lines = [(s.title, times(energies), s.values) for s in energies.series.values()]
-    return lines_chart(lines, "Energy", "ms", "J")
 
 
 def _histories(result: Result, channels: Sequence[str]) -> str | None:

@@ -10,11 +10,9 @@ import hashlib
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
-from certkit.reporting.charts.spark import sparkline
 from certkit.reporting.payload import embedded, payload
 from certkit.reporting.templating import fill, folder, text
 from certkit.reporting.view import unique_views
-from certkit.reporting.worst import worst
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -40,7 +38,7 @@ def suite_page(results: Sequence[Result], title: str = "Certification suite") ->
             "verdict": shown.result.verdict,
             "tally": shown.tally,
             "nearest": shown.nearest,
-            "spark": sparkline(shown.result, worst(shown.result)),
+            "spark": shown.spark,
             "id": shown.result.id,
         }
         for shown in views

@@ -45,7 +45,7 @@ def ticks(low: float, high: float, most: int = 6) -> list[float]:
     return [0.0 if index == 0 else float(f"{index * step:.12g}") for index in range(first, last + 1)]
 
 
-def thinned(points: list[tuple[float, float]], most: int = 160) -> list[tuple[float, float]]:
+def thinned(points: list[tuple[float, float]], most: int = 120) -> list[tuple[float, float]]:
     """Return at most about `most` of the points, with the lowest and highest of each stretch among them."""
     if len(points) <= most:
         return points

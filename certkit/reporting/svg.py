@@ -14,7 +14,7 @@ from certkit.reporting.palette import INK
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-FONT = "'IBM Plex Sans', system-ui, -apple-system, 'Segoe UI', sans-serif"
+FONT = "IBM Plex Sans, system-ui, sans-serif"
 
 
 def number(value: float) -> str:

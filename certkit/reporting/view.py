@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING
 from certkit.reporting import words
 from certkit.reporting.charts.errors import errors_chart
 from certkit.reporting.charts.frames import frames_chart
-from certkit.reporting.charts.history import history_chart, times
-from certkit.reporting.charts.lines import lines_chart
+from certkit.reporting.charts.history import history_chart
+from certkit.reporting.charts.lines import energies_chart
 from certkit.reporting.charts.plane import plane_chart
 from certkit.reporting.charts.position import position_bar
+from certkit.reporting.charts.spark import sparkline
 from certkit.reporting.laboratory import LaboratoryView, laboratory_view
-from certkit.reporting.worst import margin_words, tally, worst
+from certkit.reporting.worst import margin_words, nearest_words, tally, worst
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -61,6 +62,14 @@ class Drawing:
 
 
 @dataclass(frozen=True)
+class NumberGroup:
+    """Numbers that went in from one file: (name, value, confidence, number of the source)."""
+
+    title: str
+    rows: list[tuple[str, str, str, int]]
+
+
+@dataclass(frozen=True)
 class View:
     """A result, ready for the templates."""
 
@@ -71,14 +80,18 @@ class View:
     meaning: str
     tally: str
     nearest: str
+    nearest_words: str
     rows: list[Row]
     sources: list[str]
     histories: list[Drawing]
     planes: list[Drawing]
+    spark: str | None
     frames: str | None
     errors: str | None
     energies: str | None
     laboratory: LaboratoryView | None
+    numbers: list[NumberGroup]
+    number_sources: list[str]
 
     @property
     def confidences(self) -> list[tuple[str, int]]:
@@ -137,6 +150,21 @@ def _row(criterion: CriterionResult, key: str, drawn: set[str], sources: list[st
     )
 
 
+def _numbers(result: Result, sources: list[str]) -> list[NumberGroup]:
+    """Group the numbers that went in by the file before the colon of their path."""
+    groups: dict[str, list[tuple[str, str, str, int]]] = {}
+    for number in result.parameters:
+        file, colon, name = number.path.partition(": ")
+        row = (
+            name if colon else number.path,
+            number.value,
+            number.confidence,
+            sources.index(number.source) + 1,
+        )
+        groups.setdefault(file if colon else "", []).append(row)
+    return [NumberGroup(title, rows) for title, rows in groups.items()]
+
+
 def _corridor(criterion: CriterionResult) -> str:
     if criterion.lower is None and criterion.upper is None:
         if criterion.curve and criterion.curve.polygon:
@@ -187,9 +215,9 @@ def view(result: Result, *, suffix: str = "") -> View:
     ]
     targets = {_target(c) for c in result.criteria if c.curve} | (set(channels) if drawable else set())
     sources = list(dict.fromkeys(c.source for c in result.criteria if c.source))
+    number_sources = list(dict.fromkeys(p.source for p in result.parameters))
     nearest = worst(result)
     heading, subject = KINDS[result.kind]
-    energies = result.energies
     return View(
         result=result,
         key=key,
@@ -198,18 +226,18 @@ def view(result: Result, *, suffix: str = "") -> View:
         meaning=words.meaning(result.verdict) if result.verdict in {"not evaluated", "error"} else "",
         tally=tally(result),
         nearest=margin_words(nearest),
+        nearest_words=nearest_words(nearest),
         rows=[_row(criterion, key, targets, sources) for criterion in result.criteria],
         sources=sources,
         histories=histories,
         planes=planes,
+        spark=sparkline(result, nearest),
         frames=frames_chart(result.motion) if result.motion and result.motion.poses else None,
         errors=errors_chart(result.comparison) if result.comparison and result.comparison.rows else None,
-        energies=lines_chart(
-            [(s.title, times(energies), s.values) for s in energies.series.values()], "Energy", "ms", "J"
-        )
-        if energies and energies.count > 1
-        else None,
+        energies=energies_chart(result.energies) if result.energies else None,
         laboratory=laboratory_view(result.laboratory),
+        numbers=_numbers(result, number_sources),
+        number_sources=number_sources,
     )
 
 

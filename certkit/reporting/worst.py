@@ -47,6 +47,14 @@ def margin_words(criterion: CriterionResult | None) -> str:
     return words + (f" ({abs(share) * 100:.0f} % of the {whole})" if share is not None else "")
 
 
+def nearest_words(criterion: CriterionResult | None) -> str:
+    """Write `Nearest to a limit: T4: …` or, where a limit was missed, `Furthest outside: PCL: …`."""
+    if criterion is None or criterion.margin is None or not math.isfinite(criterion.margin):
+        return ""
+    lead = "Nearest to a limit" if criterion.margin >= 0 else "Furthest outside"
+    return f"{lead}: {margin_words(criterion)}"
+
+
 def tally(result: Result) -> str:
     """Write how the criteria came out: `7 of 7 graded criteria within corridor; 3 shown, not graded`."""
     graded = [c for c in result.criteria if c.graded]

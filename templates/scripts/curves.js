@@ -10,6 +10,11 @@ function element(name, attributes, parent) {
   return node;
 }
 
+function summed(steps) {
+  let sum = 0;
+  return steps.map((step) => (sum += step));
+}
+
 function valueAt(channel, axis, time) {
   const place = Math.min(Math.max((time - axis.start) / axis.step, 0), channel.values.length - 1);
   const index = Math.min(Math.floor(place), channel.values.length - 2);

@@ -10,14 +10,10 @@ function diverging(fraction) {
   return `rgb(${ANCHORS[index].map((a, i) => Math.round(a + (ANCHORS[index + 1][i] - a) * part)).join(" ")})`;
 }
 
+// One row a frame from one column a coordinate, each column written as the steps of its steps.
 function unpacked(motion) {
-  const frames = [];
-  let row = null;
-  for (const steps of motion.poses) {
-    row = row ? steps.map((v, i) => row[i] + v) : steps;
-    frames.push(row);
-  }
-  return frames;
+  const columns = motion.poses.map((column) => summed(summed(column)));
+  return motion.times.map((_, frame) => columns.map((column) => column[frame]));
 }
 
 function drawnShape(shape, fill, parent) {

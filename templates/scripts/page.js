@@ -51,6 +51,10 @@ for (const report of document.querySelectorAll("[data-report]")) {
   const source = report.querySelector("script[data-result]");
   if (!source) continue;
   const data = JSON.parse(source.textContent);
+  for (const channel of data.channels) {
+    const unit = 10 ** (channel.decimals + 1);
+    channel.values = summed(channel.steps).map((v) => v / unit);
+  }
   const shared = setUpShared(data);
   setUpCurves(report, data, shared);
   setUpMotion(report, data, shared);

@@ -28,9 +28,10 @@ class Frame:
         width: float = 360,
         height: float = 200,
         below: float = 22,
+        above: float = 28,
     ) -> Frame:
         """Leave room for ticks and titles. The page's scripts know these numbers."""
-        return cls(width, height, Scale(*x, 46, width - 12), Scale(*y, height - below, 28))
+        return cls(width, height, Scale(*x, 46, width - 12), Scale(*y, height - below, above))
 
     @property
     def left(self) -> float:

@@ -70,15 +70,9 @@ def key_frames(motion: Motion, most: int = 6) -> list[int]:
 
 
 def _shape(points: list[tuple[float, float]], shape: Shape, fill: str, css: str) -> str:
-    return tag(
-        "path",
-        d=path(points, closed=shape.closed),
-        fill=fill if shape.closed else "none",
-        stroke=palette.INK,
-        stroke_width=0.6 if shape.closed else 1.2,
-        stroke_opacity=0.75,
-        class_=css,
-    )
+    if shape.closed:
+        return tag("path", d=path(points, closed=True), fill=fill, class_=css)
+    return tag("path", d=path(points), fill="none", stroke_width=1.2, class_=css)
 
 
 def draw_frame(motion: Motion, frame: int, x: Scale, y: Scale) -> str:
@@ -98,7 +92,7 @@ def draw_frame(motion: Motion, frame: int, x: Scale, y: Scale) -> str:
             if shape.name in colour and motion.moments:
                 fill, css = palette.diverging(motion.moments[frame][colour[shape.name]] / peak), "k-coloured"
             drawn.append(_shape([(x(a), y(b)) for a, b in placed(shape, pose)], shape, fill, css))
-    return "".join(drawn)
+    return tag("g", "".join(drawn), stroke=palette.INK, stroke_width=0.6, stroke_opacity=0.75)
 
 
 def frames_chart(

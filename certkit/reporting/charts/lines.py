@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
+from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.frame import Frame
 from certkit.reporting.scales import span, thinned
 from certkit.reporting.svg import label, path, picture, tag
+
+if TYPE_CHECKING:
+    from certkit.grading.result import Histories
 
 Line = tuple[str, Sequence[float], Sequence[float]]
 """Name, abscissae, ordinates."""
@@ -27,35 +32,67 @@ def lines_chart(
     width, height : float
         Size in pixels.
     """
+    rows = _legend(lines, title, width)
     x = span([v for _, xs, _ in lines for v in xs], margin=0)
     y = span([0.0, *(v for _, _, ys in lines for v in ys)])
-    frame = Frame.around(x, y, width=width, height=height)
+    frame = Frame.around(x, y, width=width, height=height, above=12 + 16 * (1 + max(row for row, _ in rows)))
     drawn = frame.axes(title, x_title, unit)
-    place = 6 + 6.6 * len(title) + 18
-    for index, (name, xs, ys) in enumerate(lines):
-        pen = palette.PENS[index % len(palette.PENS)]
+    for index, ((name, xs, ys), (row, place)) in enumerate(zip(lines, rows, strict=True)):
         css = f"curve p{index % len(palette.PENS)}"
-        points = thinned(list(zip(xs, ys, strict=True)))
+        pen = palette.PENS[index % len(palette.PENS)]
+        points = thinned(list(zip(xs, ys, strict=True)), 90)
+        data = path(frame.place(a, b) for a, b in points)
         drawn += tag(
             "path",
-            d=path(frame.place(a, b) for a, b in points),
+            d=data,
             fill="none",
             stroke=pen.colour,
             stroke_width=1.6,
             stroke_dasharray=pen.dash,
             class_=css,
         )
+        line = 10.0 + 16 * row
         drawn += tag(
             "line",
             x1=place,
             x2=place + 22,
-            y1=10,
-            y2=10,
+            y1=line,
+            y2=line,
             stroke=pen.colour,
             stroke_width=2,
             stroke_dasharray=pen.dash,
             class_=css,
         )
-        drawn += label(place + 27, 14, name, class_="key")
-        place += 27 + 6.2 * len(name) + 14
+        drawn += label(place + 27, line + 4, name, class_="key")
     return picture(width, height, drawn, f"{title} in {unit}: " + ", ".join(name for name, _, _ in lines))
+
+
+def _legend(lines: Sequence[Line], title: str, width: float) -> list[tuple[int, float]]:
+    """Return the row and the place of each key, leaving room for the plot's title and its unit."""
+    first = 6 + 6.6 * len(title) + 18
+    row, place = 0, first
+    found: list[tuple[int, float]] = []
+    for name, _, _ in lines:
+        length = 27 + 6.2 * len(name) + 14
+        if place + length > width - 40:
+            row, place = row + 1, first
+        found.append((row, place))
+        place += length
+    return found
+
+
+def energies_chart(energies: Histories) -> str | None:
+    """Draw where the energy went; forms that stay under a hundredth of the largest are named, not drawn."""
+    if energies.count < 2 or not energies.series:
+        return None
+    axis = [(energies.start + index * energies.interval) * 1e3 for index in range(energies.count)]
+    sizes = {
+        name: max((abs(v) for v in series.values), default=0.0) for name, series in energies.series.items()
+    }
+    least = 0.01 * max(sizes.values())
+    lines = [(s.title, axis, s.values) for name, s in energies.series.items() if sizes[name] >= least]
+    small = [s.title for name, s in energies.series.items() if sizes[name] < least]
+    title = "Energy"
+    drawing = lines_chart(lines, title, "ms", next(iter(energies.series.values())).unit)
+    note = f"{title} in J; under one hundredth of the largest and not drawn: {', '.join(small)}"
+    return drawing.replace("<title>", f"<title>{escape(note)}; ", 1) if small else drawing
