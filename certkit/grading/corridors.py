@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Criterion
     from certkit.grading.measure import Trace
 
+IMPACTOR = "Flex-PLI"
+"""The legform that is graded here; corridors for another one hold nothing."""
+
 # What a measure is held against; all others need a window.
 KINDS: dict[str, type[Polygon | Band]] = {"curve in polygon": Polygon, "curve in band": Band}
 
@@ -70,6 +73,8 @@ def find_corridor(criterion: Criterion, corridors: Mapping[str, CorridorSet]) ->
     found = corridors.get(name)
     if found is None:
         return Missing(f"the corridor set `{name}` was not found", required=True)
+    if found.impactor != IMPACTOR:
+        return Missing(f"the corridor set `{name}` is for the {found.impactor}", required=True)
     if entry_name in found.awaited:
         return Missing(found.awaited[entry_name], required=False)
     if entry_name not in found.entries:

@@ -95,6 +95,7 @@ def grade_criterion(criterion: Criterion, measured: Measured, judgement: Judgeme
         "confidence": None if corridor is None else corridor.confidence,
         "source": "" if corridor is None else corridor.source,
         "corridor": criterion.corridor or "",
+        "note": " ".join(n for n in (criterion.note, corridor.entry.note if corridor else None) if n),
         "channel": channel,
         "measure": criterion.measure,
         "filter": criterion.filter,

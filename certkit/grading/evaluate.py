@@ -8,17 +8,19 @@ from typing import TYPE_CHECKING, Any
 
 from certkit.errors import DataError
 from certkit.grading.comparison import compare
+from certkit.grading.corridors import IMPACTOR
 from certkit.grading.criterion import Judgement, grade_criterion
 from certkit.grading.curves import drawn_curves, raw_channels
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
 from certkit.grading.identity import with_id
-from certkit.grading.measure import Measured, Window, channel_name, measure
+from certkit.grading.measure import Measured, NoInterval, Window, channel_name, measure
 from certkit.grading.preconditions import grade_preconditions
 from certkit.grading.remarks import remarks
 from certkit.grading.result import Result
 from certkit.grading.scores import grade_scores
 from certkit.grading.verdicts import worst
 from certkit.signals import AssessmentInterval, Filtered, assessment_interval, condition
+from certkit.signals.cfc import EDITION
 from certkit.signals.interval import BONE_CHANNELS
 
 if TYPE_CHECKING:
@@ -50,7 +52,7 @@ class _Taken:
 
     filtered: Filtered
     window: Window
-    interval: AssessmentInterval | None
+    interval: AssessmentInterval | NoInterval
     values: Mapping[str, Measured] = field(default_factory=dict)
 
 
@@ -154,14 +156,16 @@ def evaluate(  # noqa: PLR0913  # everything that a result carries comes in here
         scores=scores,
         comparison=comparison,
         quality=quality,
-        interval=None if taken.interval is None else (taken.interval.start, taken.interval.end),
+        interval=None
+        if isinstance(taken.interval, NoInterval)
+        else (taken.interval.start, taken.interval.end),
         energies=energies,
         curves=drawn_curves(taken.filtered, _filters(procedure.criteria), taken.window.end),
         channels=raw_channels(raw),
         motion=motion,
         parameters=list(parameters),
         laboratory=None if laboratory is None else dict(laboratory),
-        notes=_notes(procedure, recording, taken, notes),
+        notes=_notes(procedure, recording, taken, criteria, notes),
         provenance=provenance,
     )
     return with_id(result)
@@ -211,7 +215,7 @@ def _take(procedure: Procedure, recording: Recording) -> _Taken:
     if needs_interval:
         wanted += [(name, INTERVAL_FILTER) for name in BONE_CHANNELS]
     filtered = Filtered(recording, wanted)
-    interval = _interval(filtered) if needs_interval else None
+    interval = _interval(filtered) if needs_interval else NoInterval("")
     until = procedure.run.until
     static = procedure.rig.loading_ram is not None
     start = float(recording.time[0]) if static and recording.time.size else 0.0
@@ -221,14 +225,14 @@ def _take(procedure: Procedure, recording: Recording) -> _Taken:
     return _Taken(filtered, window, interval, values)
 
 
-def _interval(filtered: Filtered) -> AssessmentInterval | None:
-    moments = {}
-    for name in BONE_CHANNELS:
-        try:
-            moments[name] = filtered.values(name, INTERVAL_FILTER)
-        except DataError:
-            continue  # the channel's own criterion says so
-    return assessment_interval(filtered.recording.time, moments)
+def _interval(filtered: Filtered) -> AssessmentInterval | NoInterval:
+    """Find the assessment interval; it needs every bone moment, for the last of them ends it."""
+    try:
+        moments = {name: filtered.values(name, INTERVAL_FILTER) for name in BONE_CHANNELS}
+    except DataError as error:
+        return NoInterval(f"no assessment interval: {error}")
+    found = assessment_interval(filtered.recording.time, moments)
+    return found or NoInterval("no assessment interval: no bone moment has a maximum beyond 15 N·m")
 
 
 def _channels(criterion: Criterion) -> list[str]:
@@ -252,9 +256,12 @@ def _scores(
 ) -> tuple[list[ScoreResult], list[str]]:
     if procedure.score is None:
         return [], []
-    if procedure.score not in corridors:
+    found = corridors.get(procedure.score)
+    if found is None:
         return [], [f"Scores are not given: the set `{procedure.score}` was not found."]
-    return grade_scores(corridors[procedure.score].scores, {c.id: c for c in criteria})
+    if found.impactor != IMPACTOR:
+        return [], [f"Scores are not given: `{procedure.score}` is for the {found.impactor}."]
+    return grade_scores(found.scores, {c.id: c for c in criteria})
 
 
 def _specimen(procedure: Procedure) -> dict[str, str]:
@@ -270,9 +277,21 @@ def _finite(conditions: Mapping[str, float]) -> dict[str, float]:
     return {words: value for words, value in conditions.items() if math.isfinite(value)}
 
 
-def _notes(procedure: Procedure, recording: Recording, taken: _Taken, notes: Sequence[str]) -> list[str]:
-    said = [*procedure.notes, *notes, *recording.notes]
+def _notes(
+    procedure: Procedure,
+    recording: Recording,
+    taken: _Taken,
+    criteria: Sequence[CriterionResult],
+    notes: Sequence[str],
+) -> list[str]:
+    """Gather what a reader should know of the procedure, its corridors, the recording and its conditioning."""
+    said = [*procedure.notes, *notes]
+    told = dict.fromkeys(criterion.note for criterion in criteria if criterion.note)
+    said += [f"{', '.join(c.id for c in criteria if c.note == note)}: {note}" for note in told]
+    if any(c.filter != "none" for c in procedure.criteria):
+        said.append(f"Filters: {EDITION}, run forward and backward.")
+    said += recording.notes
     said += [f"{c.name}: {note}" for c in recording.channels.values() for note in c.notes]
-    if taken.interval is not None:
+    if isinstance(taken.interval, AssessmentInterval):
         said.append(f"{taken.interval.words[0].upper()}{taken.interval.words[1:]}.")
     return list(dict.fromkeys(said))

@@ -70,6 +70,13 @@ class Measured:
 
 
 @dataclass(frozen=True)
+class NoInterval:
+    """There is no assessment interval, and why."""
+
+    reason: str
+
+
+@dataclass(frozen=True)
 class Window:
     """The part of the recording that counts, s; both ends belong to it."""
 
@@ -98,7 +105,7 @@ def quantity(text: str, dimension: Dimension, where: str) -> float:
 
 
 def measure(
-    criterion: Criterion, filtered: Filtered, window: Window, interval: AssessmentInterval | None
+    criterion: Criterion, filtered: Filtered, window: Window, interval: AssessmentInterval | NoInterval
 ) -> Measured:
     """Measure a criterion.
 
@@ -109,8 +116,8 @@ def measure(
         The recording's channels through their filters.
     window : Window
         Seconds that are evaluated.
-    interval : AssessmentInterval or None
-        The assessment interval, where there is one.
+    interval : AssessmentInterval or NoInterval
+        For criteria that are measured within it.
 
     Returns
     -------
@@ -126,10 +133,8 @@ def measure(
     known = filtered.recording.channels.get(name)
     dimension = known.dimension if known is not None else kind.dimension if kind is not None else None
     if criterion.interval == "assessment interval":
-        if interval is None:
-            return Measured(
-                None, None, dimension, "no assessment interval: no bone moment has a maximum over 15 N·m"
-            )
+        if isinstance(interval, NoInterval):
+            return Measured(None, None, dimension, interval.reason)
         window = Window(max(window.start, interval.start), min(window.end, interval.end))
     try:
         trace = _trace(criterion, filtered, window)

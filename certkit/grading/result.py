@@ -127,6 +127,7 @@ class CriterionResult(Part):
     confidence: Confidence | None = None
     source: str = ""
     corridor: Annotated[str, Field(description="Corridor as named in the procedure.")] = ""
+    note: Annotated[str, Field(description="What a reader should know about it or its corridor.")] = ""
     channel: Annotated[str, Field(description="Short name of the channel.")] = ""
     measure: str = ""
     filter: str = "none"
@@ -162,6 +163,7 @@ class ScoreResult(Part):
     zero: Figure
     confidence: Confidence
     source: str
+    note: str = ""
 
 
 class ComparisonRow(Part):

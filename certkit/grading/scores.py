@@ -89,6 +89,7 @@ def _score(name: str, score: Score, criteria: Mapping[str, CriterionResult]) -> 
         zero=zero,
         confidence=score.confidence or "estimated",
         source=score.source or "",
+        note=score.note or "",
     )
 
 

@@ -203,20 +203,47 @@ def test_a_swapped_wire_is_refused_and_turned_when_lenient():
     assert any("T1: sign turned" in note for note in result.notes)
 
 
-def test_a_vehicle_test_is_judged_within_its_assessment_interval():
-    vehicle = load("procedure", "vehicle").document
-    sets = {name: load("corridors", name).document for name in ("r127-vehicle", "euro-ncap-2014")}
-    rebound = bump(100.0, at=0.02) - bump(600.0, at=0.058)
-    zero = np.zeros_like(TIME)
-    rec = recording(
-        dict.fromkeys(("F1", "F2", "F3", "T1", "T2", "T3", "T4"), rebound)
-        | {"MCL": zero, "ACL": zero, "PCL": zero}
+VEHICLE = load("procedure", "vehicle").document
+VEHICLE_CORRIDORS = {name: load("corridors", name).document for name in ("r127-vehicle", "euro-ncap-2014")}
+
+
+def impact(*, without: str | None = None):
+    """Return a vehicle test with a hill of 100 N·m and a rebound of 600 N·m in every bone."""
+    bones = dict.fromkeys(
+        ("F1", "F2", "F3", "T1", "T2", "T3", "T4"), bump(100.0, at=0.02) - bump(600.0, at=0.058)
     )
-    result = grade(vehicle, sets, rec)
+    ligaments = dict.fromkeys(("MCL", "ACL", "PCL"), np.zeros_like(TIME))
+    return recording({name: values for name, values in (bones | ligaments).items() if name != without})
+
+
+def test_a_vehicle_test_is_judged_within_its_assessment_interval():
+    result = grade(VEHICLE, VEHICLE_CORRIDORS, impact())
     t1 = next(c for c in result.criteria if c.id == "T1")
     assert t1.value == pytest.approx(100.0, rel=0.05)
     assert result.interval[1] == pytest.approx(0.04, abs=0.003)
     assert {score.id: score.points for score in result.scores} == {"tibia": 0.5, "knee": 0.5}
+
+
+def test_without_one_bone_moment_there_is_no_assessment_interval():
+    result = grade(VEHICLE, VEHICLE_CORRIDORS, impact(without="F2"))
+    assert result.verdict == "not evaluated"
+    assert result.interval is None
+    assert result.criteria[0].reason == "no assessment interval: channel `F2` was not recorded"
+
+
+def test_corridors_and_scores_for_another_impactor_hold_nothing():
+    other = corridor_set(impactor="aPLI", windows={"T1": {"upper": "320 N·m"}})
+    result = grade(SHEET, other, recording({"T1": bump(250.0)}))
+    assert only(result).verdict == result.verdict == "not evaluated"
+    assert only(result).reason == "the corridor set `set` is for the aPLI"
+    apli = {**VEHICLE_CORRIDORS, "euro-ncap-2014": load("corridors", "euro-ncap-2026").document}
+    assert "Scores are not given: `euro-ncap-2014` is for the aPLI." in grade(VEHICLE, apli, impact()).remarks
+
+
+def test_the_notes_of_corridors_and_filters_are_told():
+    notes = grade(VEHICLE, VEHICLE_CORRIDORS, impact()).notes
+    assert any(note.startswith("T1, T2, T3, T4: The source prints") for note in notes)
+    assert any(note.startswith("Filters: ISO 6487") for note in notes)
 
 
 def test_criterion_values_are_those_of_the_result():

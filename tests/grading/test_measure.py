@@ -8,14 +8,18 @@ from sheets import TIME, bump, criterion, recording
 
 from certkit.definitions.vocabulary import TIME as TIME_DIMENSION
 from certkit.errors import UsageError
-from certkit.grading.measure import Measured, Window, measure
+from certkit.grading.measure import Measured, NoInterval, Window, measure
 from certkit.signals import AssessmentInterval, Filtered, Recording
 
 WHOLE = Window(0.0, 0.2)
+NO_INTERVAL = NoInterval("no assessment interval: made up")
 
 
 def taken(
-    rec: Recording, window: Window = WHOLE, interval: AssessmentInterval | None = None, **fields: object
+    rec: Recording,
+    window: Window = WHOLE,
+    interval: AssessmentInterval | NoInterval = NO_INTERVAL,
+    **fields: object,
 ) -> Measured:
     return measure(criterion(**{"channel": "T1", **fields}), Filtered(rec), window, interval)
 
@@ -76,10 +80,10 @@ def test_only_the_assessment_interval_counts_where_the_criterion_says_so():
 
 def test_without_an_assessment_interval_nothing_is_measured():
     found = measure(
-        criterion(channel="T1", interval="assessment interval"), Filtered(DIP_AND_HILL), WHOLE, None
+        criterion(channel="T1", interval="assessment interval"), Filtered(DIP_AND_HILL), WHOLE, NO_INTERVAL
     )
     assert found.value is None
-    assert "no assessment interval" in found.reason
+    assert found.reason == "no assessment interval: made up"
 
 
 LEVELS = np.linspace(0.0, 5000.0, 11)
