@@ -1,4 +1,4 @@
-"""Definitions are found by name or path; one's own come before the shipped ones, and names lead nowhere else."""
+"""Definitions are found by name or path; one's own come first, and names lead nowhere else."""
 
 from __future__ import annotations
 

@@ -147,7 +147,7 @@ def test_the_same_fixtures_word_may_not_come_in_two_spellings(tmp_path: Path):
 
 
 def test_problems_are_no_jargon(tmp_path: Path):
-    text = "procedure: [1]\ntitle: {a: 1}\nmethod: 3\nrig: 4\ncriteria: {}\nspecimen: []\nrun: {until: [1]}\nnotes: 3\n"
+    text = "{procedure: [1], title: {a: 1}, method: 3, rig: 4, criteria: {}, notes: 3}"
     for problem in said(tmp_path, text):
         assert re.match(r"mine\.yaml:\d+:\d+: \S", problem)
         assert not re.search(

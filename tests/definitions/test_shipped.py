@@ -112,7 +112,9 @@ def test_the_dynamic_corridors_are_the_remembered_ones_and_say_so(name: str):
     assert {window.confidence for window in windows.values()} == {"recalled"}
 
 
-@pytest.mark.parametrize(("procedure", "corridors"), [("pendulum", "r127-pendulum"), ("inverse", "r127-inverse")])
+@pytest.mark.parametrize(
+    ("procedure", "corridors"), [("pendulum", "r127-pendulum"), ("inverse", "r127-inverse")]
+)
 def test_a_dynamic_test_grades_the_seven_regulated_channels_at_cfc_180(procedure: str, corridors: str):
     criteria = load("procedure", procedure).document.criteria
     assert {c.id: c.corridor for c in criteria if c.corridor} == {i: f"{corridors}/{i}" for i in GRADED}
@@ -131,7 +133,9 @@ def test_the_seeds_test_grades_nothing_and_is_compared_with_its_table():
 def test_the_published_simulation_has_the_errors_that_the_paper_prints():
     table = load("reference", "seed-table-1").document
     errors = {
-        name: round(100 * (parse_quantity(table.published[name], "moment") / parse_quantity(value, "moment") - 1))
+        name: round(
+            100 * (parse_quantity(table.published[name], "moment") / parse_quantity(value, "moment") - 1)
+        )
         for name, value in table.values.items()
     }
     assert errors == {"F3": -36, "F2": -13, "F1": 4, "T1": 3, "T2": 0, "T3": -9, "T4": -16}
