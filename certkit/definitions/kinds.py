@@ -43,6 +43,11 @@ class Kind:
         """Return what one such definition is called in a sentence."""
         return "corridor set" if self.word == "corridors" else self.word
 
+    def answers_to(self, word: str) -> bool:
+        """Tell whether a word means this kind: its own word, its plural or singular, or its folder."""
+        last = self.folder.rpartition("/")[2]
+        return word in {self.word, f"{self.word}s", self.word.rstrip("s"), self.folder, last} - {""}
+
     @property
     def model(self) -> type[BaseModel]:
         """Return the document's class."""
@@ -114,12 +119,6 @@ def kind_of(word: str) -> Kind:
     from certkit.definitions.sentences import suggestion  # noqa: PLC0415  # only when wrong
 
     for kind in _ALL:
-        if word in {
-            kind.word,
-            f"{kind.word}s",
-            kind.folder,
-            kind.folder.rpartition("/")[2],
-            kind.word.rstrip("s"),
-        }:
+        if kind.answers_to(word):
             return kind
     raise UsageError(f"`{word}` is no kind of definition; {suggestion(word, list(KINDS))}")
