@@ -284,7 +284,7 @@ def _notes(
     criteria: Sequence[CriterionResult],
     notes: Sequence[str],
 ) -> list[str]:
-    """Gather what a reader should know of the procedure, its corridors, the recording and its conditioning."""
+    """Gather what a reader should know of procedure, corridors, recording and conditioning."""
     said = [*procedure.notes, *notes]
     told = dict.fromkeys(criterion.note for criterion in criteria if criterion.note)
     said += [f"{', '.join(c.id for c in criteria if c.note == note)}: {note}" for note in told]

@@ -35,21 +35,29 @@ class Contact:
 def first_contact(recording: Recording) -> Contact | None:
     """Find the first contact.
 
-    The channel must rise to 5 % of its peak; contact is where that rise leaves the noise (0.5 % of the
-    peak, or three standard deviations of the record's first 5 ms). A record that begins at contact
-    therefore gives a time within these 5 ms.
+    The channel must rise to 5 % of its peak; contact is where that rise leaves the noise (0.5 % of the peak, or three
+    standard deviations of the record's first 5 ms).
 
     Returns
     -------
     Contact or None
-        None when no channel that shows contact was recorded, or none of them rises.
+        None when no channel that shows contact was recorded, when none of them rises, and when one of them rises from
+        the first sample on: such a record begins at or after contact, and its own time zero is the best there is.
     """
+    found: Contact | None = None
+    start = slice(0, max(10, int(np.searchsorted(recording.time, recording.time[0] + SHORTEST))))
     for name in CONTACT_CHANNELS:
-        if name in recording and np.isfinite(recording[name].values).all():
-            index = _foot(recording[name].values, recording.time)
-            if index is not None:
-                return Contact(float(recording.time[index]), name)
-    return None
+        if name not in recording or recording[name].values.size < start.stop:
+            continue
+        values = recording[name].values
+        if not np.isfinite(values).all():
+            continue
+        if _moves(values, start):
+            return None
+        index = _foot(values, start)
+        if found is None and index is not None:
+            found = Contact(float(recording.time[index]), name)
+    return found
 
 
 def shifted(recording: Recording, zero: float) -> Recording:
@@ -61,13 +69,18 @@ def shifted(recording: Recording, zero: float) -> Recording:
     return replace(recording, time=time)
 
 
-def _foot(values: NDArray[np.float64], time: NDArray[np.float64]) -> int | None:
+def _moves(values: NDArray[np.float64], start: slice) -> bool:
+    """Tell whether a channel drifts during the record's start, by more than its noise and 0.5 % of its peak."""
+    first, second = np.array_split(values[start], 2)
+    drift = abs(float(second.mean() - first.mean()))
+    noise = max(float(first.std()), float(second.std()))
+    return drift > max(_FOOT * float(np.abs(values - first.mean()).max()), 0.5 * noise)
+
+
+def _foot(values: NDArray[np.float64], start: slice) -> int | None:
     """Return the index where the first real rise of a channel begins, or None."""
-    if values.size < 10:
-        return None
-    quiet = slice(0, max(10, int(np.searchsorted(time, time[0] + SHORTEST))))
-    level = float(values[quiet].mean())
-    noise = float(values[quiet].std())
+    level = float(values[start].mean())
+    noise = float(values[start].std())
     height = np.abs(values - level)
     peak = float(height.max())
     if peak <= max(10 * noise, 1e-12):

@@ -144,6 +144,16 @@ def test_contact_is_found_in_noise():
     assert found.channel == "T1"
 
 
+@pytest.mark.parametrize("begin", [0.0, 0.010])
+def test_a_record_that_begins_at_contact_keeps_its_time_zero(begin: float):
+    time = np.arange(10000) * 2e-5
+    rec = recording(
+        time, {"contact force": half_sine(time + begin, 5e3), "F1": half_sine(time, 100.0, start=0.02)}
+    )
+    assert first_contact(rec) is None
+    assert timed(rec, CERTIFIED) is rec
+
+
 def test_a_silent_record_has_no_contact():
     assert first_contact(recording(TIME, {"T1": np.zeros_like(TIME)})) is None
     assert first_contact(recording(TIME, {"knee bend": half_sine(TIME, 1.0)})) is None
