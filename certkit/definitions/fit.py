@@ -68,6 +68,10 @@ class Search(Document):
     ] = "definitions"
     population: Annotated[int, Field(ge=4, le=10_000)] = 24
     generations: Annotated[int, Field(ge=0, le=100_000, description="Of the global search.")] = 100
+    pull: Annotated[
+        float,
+        Field(ge=0, le=1, description="Of every parameter without a prior to the middle of its bounds."),
+    ] = 0.2
     steps: Annotated[int, Field(ge=0, le=1000, description="Of the least squares after it, at most.")] = 30
 
 

@@ -85,6 +85,11 @@ class Runs:
             self._tell(done, len(points), failed)
         return [lost[key] if key in lost else self._known[key] for key in keys]
 
+    @property
+    def known(self) -> int:
+        """Number of distinct runs that are known, here or from the journal."""
+        return len(self._known)
+
     def _pool_for(self, tasks: int) -> Pool:
         if self._pool is None and tasks > 1:
             if self.cluster is not None:

@@ -1,0 +1,155 @@
+"""`calibrate`: carry out a fit document."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.definitions.fit import Fit
+from certkit.definitions.library import load
+from certkit.errors import RunError
+from certkit.studies.calibration.knowledge import Knowledge, knowledge
+from certkit.studies.calibration.search import Misfit, downhill, everywhere
+from certkit.studies.calibration.space import Space, space_of
+from certkit.studies.calibration.targets import Goal, goals_of
+from certkit.studies.runs import Runs
+from certkit.studies.trial import Trial
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from certkit.studies.calibration.search import Tell
+    from certkit.studies.points import Outcome
+    from certkit.studies.runs import Progress
+
+
+@dataclass(frozen=True)
+class Task:
+    """A fit made ready: what is run, what is free, what is aimed at."""
+
+    sheet: Fit
+    trial: Trial
+    space: Space
+    goals: tuple[Goal, ...]
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """What a fit came to.
+
+    Parameters
+    ----------
+    task : Task
+    shares : ndarray, shape (k,)
+        The best place found, as shares of the bounds.
+    before, after : Outcome
+        Of the start and of the best place.
+    knowledge : Knowledge
+    runs : int
+        Distinct runs that the fit needed.
+    """
+
+    task: Task
+    shares: NDArray[np.float64]
+    before: Outcome
+    after: Outcome
+    knowledge: Knowledge
+    runs: int
+
+    @property
+    def point(self) -> dict[str, float]:
+        """The fitted numbers, in their units."""
+        return self.task.space.point(self.shares)
+
+    def rms(self, outcome: Outcome) -> float:
+        """Return the root mean square distance of all goals, in what counts as one."""
+        distances = [goal.distance(outcome.outputs.get(goal.name)) for goal in self.task.goals]
+        return float(np.sqrt(np.mean(np.square(distances))))
+
+
+def make_ready(document: Fit | str | Path, library: Sequence[Path] = ()) -> Task:
+    """Load everything a fit needs and check that it fits together.
+
+    Raises
+    ------
+    UsageError, DefinitionError
+        Before anything is run.
+    """
+    sheet = document if isinstance(document, Fit) else load("fit", document, library=library).document
+    if not isinstance(sheet, Fit):
+        raise TypeError("not a fit document")
+    procedures = tuple(dict.fromkeys(target.procedure for target in sheet.targets))
+    trial = Trial(
+        procedures,
+        tied={
+            p.name: (*((path, 1.0) for path in p.with_), *((path, -1.0) for path in p.opposite))
+            for p in sheet.parameters
+            if p.with_ or p.opposite
+        },
+        fixed=(f"legform={sheet.legform}",),
+        library=tuple(str(Path(folder)) for folder in library),
+    )
+    space = space_of(sheet.parameters, trial.nominals())
+    trial = Trial(
+        trial.procedures,
+        {axis.name: axis.unit for axis in space.axes},
+        trial.tied,
+        trial.fixed,
+        trial.library,
+    )
+    start = space.point(space.start)
+    goals = [
+        goal for target in sheet.targets for goal in goals_of(target, trial.prepared(target.procedure, start))
+    ]
+    return Task(sheet, trial, space, tuple(goals))
+
+
+def runs_for(  # where and how to run, each with a default
+    task: Task,
+    *,
+    journal: Path | None = None,
+    processes: int | None = None,
+    cluster: str | None = None,
+    progress: Progress | None = None,
+) -> Runs:
+    """Open the runs of a fit; what an interrupted one has done is found again in the journal."""
+    return Runs(
+        task.trial,
+        context=task.trial.context,
+        journal=journal,
+        processes=processes,
+        cluster=cluster,
+        progress=progress,
+    )
+
+
+def calibrate(task: Task, runs: Runs, tell: Tell = lambda _: None) -> Calibration:
+    """Find the best numbers and say how well they are known.
+
+    Parameters
+    ----------
+    task : Task
+        From `make_ready`.
+    runs : Runs
+        From `runs_for`.
+    tell : callable
+        Told how far the search has come.
+
+    Raises
+    ------
+    RunError
+        When not even the best place found can be run.
+    """
+    misfit = Misfit(runs, task.space, task.goals, task.sheet.search.pull)
+    best = everywhere(misfit, task.sheet.search, tell)
+    best = downhill(misfit, best, task.sheet.search.steps, tell)
+    before, after = runs([task.space.point(task.space.start), task.space.point(best)])
+    if after.error:
+        raise RunError(f"the best place found cannot be run ({after.error}); narrow the bounds")
+    slopes = misfit.jacobian(best)[: len(task.goals)]
+    return Calibration(task, best, before, after, knowledge(task.space, best, slopes), runs.known)

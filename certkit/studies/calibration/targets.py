@@ -1,0 +1,133 @@
+"""What a fit aims at: each value as its distance from where it should be, in what counts as one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.definitions.corridor import Window
+from certkit.definitions.vocabulary import channel_kind
+from certkit.errors import UsageError
+from certkit.grading.corridors import Corridor, find_corridor, limits
+from certkit.studies.quantity import share, split_quantity
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from certkit.bench.setup import Setup
+    from certkit.definitions.fit import Target
+    from certkit.definitions.procedure import Criterion
+    from certkit.studies.calibration.space import Space
+    from certkit.studies.points import Outcome, Point
+
+FAILED = 20.0
+"""Distance of every value of a run that failed: far, and no gradient leads there."""
+
+WITHIN = 3**-0.5
+"""Standard deviation of a value that may lie anywhere in its corridor, in half-widths."""
+
+FLAT = 12**-0.5
+"""Standard deviation of a share of which only the bounds are known."""
+
+
+@dataclass(frozen=True)
+class Goal:
+    """One value and where it should be.
+
+    Parameters
+    ----------
+    name : str
+        Its output: `PROCEDURE/CRITERION`.
+    aim, scale : float
+        In the output's unit: where it should be and what counts as a distance of one.
+    unit : str
+    weight : float
+        Multiplies the distance.
+    graded : bool
+        Whether a corridor decides on it.
+    """
+
+    name: str
+    aim: float
+    scale: float
+    unit: str
+    weight: float
+    graded: bool
+
+    def distance(self, value: float | str | None) -> float:
+        """Return the distance without its weight; far for a value that is missing."""
+        return (value - self.aim) / self.scale if isinstance(value, float) else FAILED
+
+
+def goals_of(target: Target, setup: Setup) -> list[Goal]:
+    """Return the goals of one target.
+
+    Raises
+    ------
+    UsageError
+        When a criterion has no two-sided corridor or no reference value, or nothing is left to aim at.
+    """
+    find = _corridor_goal if target.to == "corridors" else _reference_goal
+    known = {criterion.id: criterion for criterion in setup.procedure.criteria}
+    strangers = sorted(set(target.criteria or ()) - set(known))
+    if strangers:
+        raise UsageError(f"{target.procedure} has no criterion `{strangers[0]}`; it has {', '.join(known)}")
+    goals = []
+    for identity in target.criteria or known:
+        goal = find(known[identity], target, setup)
+        if goal is not None:
+            goals.append(goal)
+        elif target.criteria:
+            raise UsageError(f"{target.procedure}/{identity}: nothing says where it should be")
+    if not goals:
+        raise UsageError(f"{target.procedure}: none of its values has a place where it should be")
+    return goals
+
+
+def _corridor_goal(criterion: Criterion, target: Target, setup: Setup) -> Goal | None:
+    found = find_corridor(criterion, setup.corridors)
+    kind = channel_kind(criterion.channel or "")
+    if kind is None or not isinstance(found, Corridor) or not isinstance(found.entry, Window):
+        return None
+    lower, upper = limits(found, found.entry, kind.dimension)
+    if lower is None or upper is None:
+        return None
+    scale = kind.dimension.scale
+    name = f"{target.procedure}/{criterion.id}"
+    middle, half = (lower + upper) / 2 * scale, (upper - lower) / 2 * scale
+    return Goal(name, middle, half, kind.dimension.unit, target.weight, graded=True)
+
+
+def _reference_goal(criterion: Criterion, target: Target, setup: Setup) -> Goal | None:
+    if setup.reference is None or criterion.id not in setup.reference.values:
+        return None
+    quantity = split_quantity(str(setup.reference.values[criterion.id]))
+    part = share(target.tolerance)
+    if quantity is None or part is None:
+        raise UsageError(f"{target.procedure}: the tolerance has to be a share such as `5 %`")
+    name = f"{target.procedure}/{criterion.id}"
+    return Goal(name, quantity[0], part * abs(quantity[0]), quantity[1], target.weight, graded=False)
+
+
+def residuals(
+    goals: Sequence[Goal], space: Space, point: Point, outcome: Outcome, pull: float
+) -> NDArray[np.float64]:
+    """Return the weighted distances of all goals, then of all parameters from where they would rather be.
+
+    The sum of their squares is what the fit makes small. A parameter with a prior is drawn to its mean, any
+    other to the middle of its bounds with the strength `pull`: 1 is as much as bounds really tell, less
+    lets the tests decide and still makes the answer unique.
+    """
+    values = [goal.weight * goal.distance(outcome.outputs.get(goal.name)) for goal in goals]
+    pulls = [
+        WITHIN * (float(point[axis.name]) - axis.prior[0]) / axis.prior[1]
+        if axis.prior is not None
+        else pull * WITHIN * (axis.share(float(point[axis.name])) - 0.5) / FLAT
+        for axis in space.axes
+    ]
+    found: NDArray[np.float64] = np.clip(np.array([*values, *pulls]), -FAILED, FAILED)
+    return found
