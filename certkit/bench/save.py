@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.grading import write_result
+from certkit.files import write_whole
+from certkit.grading import from_json, to_json
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
@@ -30,16 +31,18 @@ def save(result: Result, out: Path, formats: Collection[str]) -> list[Path]:
         What was written, the JSON first.
     """
     document = out / "result.json"
-    write_result(result, document)
+    text = to_json(result)
+    write_whole(document, text)
     if not formats:
         return [document]
     from certkit.reporting import render  # noqa: PLC0415  # jinja2 and friends only where a report is wanted
 
-    return [document, *render(result, out, formats)]
+    # From the text, whose numbers are rounded, so that reports are the ones that the document alone makes.
+    return [document, *render(from_json(text), out, formats)]
 
 
 def save_suite(results: Sequence[Result], out: Path, formats: Collection[str]) -> list[Path]:
     """Write the index page and the bound certificate of several results."""
     from certkit.reporting import render_suite  # noqa: PLC0415  # likewise
 
-    return render_suite(results, out, formats)
+    return render_suite([from_json(to_json(result)) for result in results], out, formats)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import math
 from dataclasses import dataclass
+from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
@@ -105,7 +106,7 @@ def _folder(path: Path) -> Verification:
 
 
 def _report_checks(path: Path, result: Result) -> Iterator[Check]:
-    """Check that the reports beside a document are what it renders to; another certkit may draw it otherwise."""
+    """Check that the reports beside a document are what it renders to; another certkit may draw otherwise."""
     if result.provenance.certkit != __version__:
         return
     from certkit.reporting.junit import junit  # noqa: PLC0415  # jinja2 only where there is a page to check
@@ -129,7 +130,8 @@ def _report_checks(path: Path, result: Result) -> Iterator[Check]:
 def _pdf(path: Path, *, again: bool = True) -> Verification:
     attached = attachments_of(path)
     checks = list(_manifest_checks(attached))
-    ids = []
+    ids: list[str] = []
+    shown: list[Result] = []
     for name, content in sorted(attached.files.items()):
         if name.rpartition("/")[2] != "result.json" and not name.endswith("-result.json"):
             continue
@@ -139,13 +141,32 @@ def _pdf(path: Path, *, again: bool = True) -> Verification:
         table = attached.files.get(name.removesuffix("result.json") + "channels.csv")
         if table is not None:
             checks.append(_table_check(name.removesuffix("result.json") + "channels.csv", table, result))
+        shown.append(result)
         if again:
             checks += _grading_checks(result)
     if not ids:
         raise DataError(
             f"{path}: no result.json is attached; only certificates that certkit wrote can be verified"
         )
+    checks += _pages_check(path, shown)
     return Verification(str(path), tuple(ids), tuple(checks))
+
+
+def _pages_check(path: Path, results: list[Result]) -> Iterator[Check]:
+    """Check that the pages are what the attached document renders to; a signature only adds to them."""
+    package = version("weasyprint")
+    if len(results) != 1 or any(
+        r.provenance.certkit != __version__ or r.provenance.packages.get("weasyprint") != package
+        for r in results
+    ):
+        return
+    from certkit.reporting.certificate import certificate  # noqa: PLC0415  # WeasyPrint takes a second
+
+    content = read_bounded(path)
+    same = any(content.startswith(certificate(results, paper=paper)) for paper in ("A4", "Letter"))
+    yield Check(
+        "pages", same, "" if same else "are not what the attached result.json renders to; one was changed"
+    )
 
 
 def _manifest_checks(attached: Attached) -> Iterator[Check]:
