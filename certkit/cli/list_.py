@@ -6,13 +6,17 @@ from typing import Annotated
 
 import typer
 
-from certkit.cli import options, table
+from certkit.cli import completion, options, table
 
 
 def list_(
     kind: Annotated[
         str | None,
-        typer.Argument(metavar="[KIND]", help="procedure, corridors, legform, vehicle, reference."),
+        typer.Argument(
+            metavar="[KIND]",
+            help="procedure, corridors, legform, vehicle, reference, …",
+            autocompletion=completion.kinds,
+        ),
     ] = None,
     *,
     library: options.Libraries = None,

@@ -7,12 +7,15 @@ from typing import Annotated
 
 import typer
 
+from certkit.cli import completion
+
 
 def schema(
     kind: Annotated[
         str,
         typer.Argument(
             metavar="KIND",
+            autocompletion=completion.kinds_and_result,
             help="procedure, corridors, legform, vehicle, reference, …; or result, for result.json.",
         ),
     ],

@@ -6,14 +6,21 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from certkit.cli import options, table
+from certkit.cli import completion, options, table
 
 if TYPE_CHECKING:
     from certkit.definitions.sheet import Sheet
 
 
 def show(
-    name: Annotated[str, typer.Argument(metavar="NAME|FILE", help="As in `certkit list`, or a YAML file.")],
+    name: Annotated[
+        str,
+        typer.Argument(
+            metavar="NAME|FILE",
+            help="As in `certkit list`, or a YAML file.",
+            autocompletion=completion.definitions,
+        ),
+    ],
     *,
     kind: Annotated[
         str | None, typer.Option("--kind", help="Where several kinds have the name: procedure, legform, …")

@@ -41,7 +41,7 @@ class Bone(Section):
 
 
 class Ligament(Section):
-    """A cable on a preloaded spring: it pulls and never pushes. Points are (x, z), femur side then tibia side."""
+    """A cable on a preloaded spring: it pulls and never pushes. Points are (x, z), femur side, tibia side."""
 
     femur: Annotated[list[Length], Field(min_length=2, max_length=2)]
     tibia: Annotated[list[Length], Field(min_length=2, max_length=2)]
@@ -76,7 +76,7 @@ class Knee(Section):
 
 
 class Flesh(Section):
-    """Rubber and neoprene around the bones: one mass a segment on springs, and a layer that can be crushed."""
+    """Rubber and neoprene around the bones: a mass a segment on springs, and a layer that can be crushed."""
 
     mass: Mass
     across: Annotated[Frequency, Field(description="Natural frequency of the flesh along the impact.")]
