@@ -14,7 +14,7 @@ MOST = 300
 
 
 def energies(simulation: Simulation) -> Histories | None:
-    """Write the energies of a run down, thinned out evenly; None for static tests, whose clock means nothing."""
+    """Write the energies of a run down, thinned out; None for static tests, whose clock means nothing."""
     books = simulation.quality.energies
     count = len(next(iter(books.values())))
     time = simulation.recording.time
@@ -27,6 +27,7 @@ def energies(simulation: Simulation) -> Histories | None:
         interval=simulation.recording.interval * every,
         count=len(range(0, count, every)),
         series={
-            name: Series(title=name, unit="J", values=values[::every].tolist()) for name, values in books.items()
+            name: Series(title=name, unit="J", values=values[::every].tolist())
+            for name, values in books.items()
         },
     )

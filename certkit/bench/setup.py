@@ -6,8 +6,6 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from typing import TYPE_CHECKING
 
-from pydantic import BaseModel
-
 from certkit._version import __version__
 from certkit.definitions.library import Loaded, load, names
 from certkit.definitions.parameters import parameters
@@ -16,6 +14,8 @@ from certkit.grading.result import InputFile, Override, Parameter, Provenance
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
     from pathlib import Path
+
+    from pydantic import BaseModel
 
     from certkit.definitions.corridor import CorridorSet
     from certkit.definitions.legform import Legform
@@ -64,8 +64,9 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Sequence
     library : sequence of Path
         Folders with own definitions, searched first.
     overrides : sequence of str
-        `path=value`: `rig.hinge.offset=30 mm` changes the procedure, `legform=NAME` and `vehicle=NAME` put another one on
-        the rig, `legform.femur.bending stiffness=190 N·m²` changes the legform, `vehicle.…` likewise the vehicle.
+        `path=value`: `rig.hinge.offset=30 mm` changes the procedure, `legform=NAME` and `vehicle=NAME` put
+        another one on the rig, `legform.femur.bending stiffness=190 N·m²` changes the legform, `vehicle.…`
+        likewise the vehicle.
 
     Raises
     ------
@@ -98,7 +99,7 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Sequence
             InputFile(role=role, path=item.path, sha256=item.sha256, text=item.text) for role, item in loaded
         ),
         overrides=tuple(
-            Override(path=change.path if role == "procedure" else f"{role}.{change.path}", value=change.value, was=change.was)
+            Override(path=_full(role, change.path), value=change.value, was=change.was)
             for role, item in loaded
             for change in item.overrides
         ),
@@ -121,8 +122,13 @@ def _sorted_out(overrides: Sequence[str]) -> dict[str, list[str]]:
     return changes
 
 
+def _full(role: str, path: str) -> str:
+    """Return a changed value's path as it was given: behind its definition's kind, if not the procedure."""
+    return path if role == "procedure" else f"{role}.{path}"
+
+
 def _named_sets(procedure: Procedure, library: Library) -> list[str]:
-    """List the corridor sets that a procedure names and somebody supplies; the others leave criteria informative."""
+    """List the corridor sets that a procedure names and somebody supplies."""
     named = {c.corridor.partition("/")[0] for c in procedure.criteria if c.corridor}
     named |= {procedure.score} if procedure.score else set()
     return sorted(named & set(names("corridors", library)))

@@ -25,18 +25,20 @@ if TYPE_CHECKING:
     from certkit.mechanics import Simulation
 
 SMALLEST = {"N·m": 1.0, "mm": 0.1, "N": 10.0, "deg": 0.1, "m/s²": 1.0}
-"""Values below these are nothing; a change of theirs is taken relative to it, not to a peak of nearly zero."""
+"""A value below this is nothing; its change is taken relative to this, not to a peak of nearly zero."""
 
 
 @dataclass(frozen=True)
 class Refinement:
-    """What finer runs say about the reported one: the largest change, and each criterion's numerical uncertainty."""
+    """What finer runs say of the reported one: largest change, and numerical uncertainty by criterion."""
 
     step_change_percent: float
     uncertainties: dict[str, float]
 
 
-def run(procedure: str | Path, *, library: Library = (), overrides: Sequence[str] = (), refine: bool = True) -> Result:
+def run(
+    procedure: str | Path, *, library: Library = (), overrides: Sequence[str] = (), refine: bool = True
+) -> Result:
     """Simulate a procedure and grade it: a virtual certification of the model.
 
     Parameters
@@ -48,8 +50,8 @@ def run(procedure: str | Path, *, library: Library = (), overrides: Sequence[str
     overrides : sequence of str
         `path=value`, as for `certkit.bench.setup.prepare`.
     refine : bool
-        Run again with half the time step and with more iterations, to know what they cost. Without it the quality of the
-        result has no `step_change_percent`.
+        Run again with half the time step and with more iterations, to know what they cost. Without it the
+        quality of the result has no `step_change_percent`.
 
     Raises
     ------
@@ -94,8 +96,9 @@ def _simulate(setup: Setup, *, time_step: float | None = None, iterations: int |
 def _refine(setup: Setup, reported: Simulation) -> Refinement:
     """Compare with a run at half the step and one with twice the solver iterations.
 
-    The numerical uncertainty of a criterion is the grid convergence index of the step plus the change that the iterations
-    make: two causes that have nothing to do with each other, added without hoping that they cancel.
+    The numerical uncertainty of a criterion is the grid convergence index of the step plus the change that
+    the iterations make: two causes that have nothing to do with each other, added without hoping that they
+    cancel.
     """
     values = criterion_values(setup.procedure, reported.recording)
     half = _simulate(setup, time_step=reported.quality.time_step / 2)

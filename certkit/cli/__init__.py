@@ -33,7 +33,8 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
     help=(
-        "Certify a Flex-PLI legform: simulate its tests or grade measured ones, and hand over the certificate.\n\n"
+        "Certify a Flex-PLI legform: simulate its tests or grade measured ones, "
+        "and hand over the certificate.\n\n"
         "Start with `certkit run --procedure pendulum`."
     ),
     epilog=(
@@ -86,7 +87,7 @@ def main() -> None:
             typer.echo(f"error: {line}", err=True)
         sys.exit(error.exit_code)
     except BrokenPipeError:
-        # The reader of our output has seen enough (`certkit list | head`); closing quietly is what it expects.
+        # The reader of our output has seen enough (`certkit list | head`); it expects us to close quietly.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(0)
     except Exception:  # noqa: BLE001  # Python's own exit code for a crash would read as the verdict `fail`

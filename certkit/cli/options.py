@@ -7,9 +7,7 @@ from typing import Annotated
 
 import typer
 
-Out = Annotated[
-    Path | None, typer.Option("--out", help="Folder for the results.", show_default="runs/NAME")
-]
+Out = Annotated[Path | None, typer.Option("--out", help="Folder for the results.", show_default="runs/NAME")]
 Formats = Annotated[
     str,
     typer.Option(

@@ -37,8 +37,8 @@ def run(
 ) -> None:
     """Simulate a test, grade it and write its certificate.
 
-    `certkit run --procedure pendulum` writes `runs/pendulum/` with the report as HTML and PDF, a JUnit file, the channels as CSV
-    and the result document. The exit code is the verdict's.
+    `certkit run --procedure pendulum` writes `runs/pendulum/` with the report as HTML and PDF, a JUnit file,
+    the channels as CSV and the result document. The exit code is the verdict's.
     """
     from certkit import bench  # noqa: PLC0415  # numpy and pydantic wait until a test is run
     from certkit.cli import terminal  # noqa: PLC0415  # likewise

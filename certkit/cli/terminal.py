@@ -1,4 +1,4 @@
-"""What commands that grade have in common on a terminal: arguments checked, progress, the verdict table, the exit code."""
+"""What commands that grade have in common: arguments checked, progress, the verdict table, the exit code."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import contextlib
 import json
 import os
 import sys
-from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +14,8 @@ import typer
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
     from certkit.errors import CertkitError
     from certkit.grading.result import Result, Verdict
 
@@ -106,7 +107,11 @@ def show(results: Sequence[Result], *, as_json: bool, folder: Path) -> None:
         return
     if as_json:
         texts = [to_json(result) for result in results]
-        text = texts[0] if len(texts) == 1 else json.dumps([json.loads(t) for t in texts], ensure_ascii=False) + "\n"
+        text = (
+            texts[0]
+            if len(texts) == 1
+            else json.dumps([json.loads(t) for t in texts], ensure_ascii=False) + "\n"
+        )
         typer.echo(text, nl=False)
         return
     from certkit.reporting import terminal  # noqa: PLC0415  # likewise

@@ -59,7 +59,7 @@ def test_show_tells_each_numbers_origin_and_each_criterions_corridor(certkit: Co
 
 
 def test_show_finds_a_corridor_set_and_a_legform_by_name_alone(certkit: Command):
-    assert "MCL-force\t" in certkit("show", "r127-static").stdout
+    assert "MCL-force\t" in certkit("show", "r127-static-knee").stdout
     assert "femur.mass\t2.46 kg\trecalled" in certkit("show", "flex-pli-gtr").stdout
 
 

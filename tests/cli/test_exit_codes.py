@@ -49,7 +49,9 @@ def test_a_bad_definition_ends_with_2_and_writes_nothing(certkit: Command, tmp_p
     ],
     ids=" ".join,
 )
-def test_a_command_line_that_cannot_be_carried_out_ends_with_2(certkit: Command, arguments: tuple[str]) -> None:
+def test_a_command_line_that_cannot_be_carried_out_ends_with_2(
+    certkit: Command, arguments: tuple[str]
+) -> None:
     done = certkit(*arguments)
     assert done.returncode == 2, done.stdout + done.stderr
     assert "Traceback" not in done.stderr
@@ -81,7 +83,9 @@ def test_with_several_procedures_the_worst_counts(certkit: Command) -> None:
     assert done.returncode == 4
 
 
-def test_a_procedure_that_cannot_run_does_not_take_the_others_with_it(certkit: Command, tmp_path: Path) -> None:
+def test_a_procedure_that_cannot_run_does_not_take_the_others_with_it(
+    certkit: Command, tmp_path: Path
+) -> None:
     done = certkit("run", "-p", "static-tibia", "-p", "no-such", "--format", "junit")
     assert done.returncode == 2
     assert (tmp_path / "runs" / "static-tibia" / "result.json").exists()

@@ -31,7 +31,9 @@ def _without_clock(text: str) -> object:
 
 
 @pytest.mark.slow
-def test_all_procedures_write_every_file_of_the_contract_twice_the_same(certkit: Command, tmp_path: Path) -> None:
+def test_all_procedures_write_every_file_of_the_contract_twice_the_same(
+    certkit: Command, tmp_path: Path
+) -> None:
     first = certkit("run", "--all", "--out", "one")
     assert first.returncode in {0, 4}, first.stdout + first.stderr
     schema = json.loads(certkit("schema", "result").stdout)

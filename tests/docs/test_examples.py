@@ -1,7 +1,8 @@
-"""Every command that the documentation shows is run as it stands, in the order of its page, in an empty folder.
+"""Every command that the documentation shows is run, in the order of its page, in an empty folder.
 
-A block fenced as `yaml` whose first line is `# file: NAME` is written to that file first. In a block fenced as `console`, a line
-`$ certkit …` is run; the comment `# exit N` names the exit code it must end with (0 without one).
+A block fenced as `yaml` that begins with `# file: NAME` is written to that file first. In a block fenced as
+`console`, a line `$ certkit …` is run; the comment `# exit N` names the exit code it must end with (0 when
+there is none).
 """
 
 from __future__ import annotations
