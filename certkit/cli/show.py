@@ -23,7 +23,7 @@ def show(
     ],
     *,
     kind: Annotated[
-        str | None, typer.Option("--kind", help="Where several kinds have the name: procedure, legform, …")
+        str | None, typer.Option("--kind", help="Where several kinds have the name: legform, fit, …")
     ] = None,
     overrides: options.Overrides = None,
     library: options.Libraries = None,

@@ -78,7 +78,7 @@ def sheet(
     Raises
     ------
     UsageError
-        When no kind or more than one has the name.
+        When no definition has the name.
     DefinitionError
         When the file has problems.
     """
@@ -105,10 +105,8 @@ def _kind_with(name: str, library: Library) -> str:
         return kind_in(read_tree(read_bytes(Path(name)), name)).word
     known = {kind.word: names(kind.word, library) for kind in KINDS.values() if kind.folder}
     having = [word for word, there in known.items() if name in there]
-    if len(having) == 1:
-        return having[0]
     if having:
-        raise UsageError(f"`{name}` is the name of a {' and of a '.join(having)}; add --kind {having[0]}")
+        return having[0]  # a leg before the fit that made it; `kind` asks for another one
     every = [each for there in known.values() for each in there]
     raise UsageError(f"there is no definition `{name}`; {suggestion(name, every)}")
 

@@ -10,19 +10,19 @@ from certkit.errors import DefinitionError, UsageError
 
 
 def test_a_changed_number_says_that_it_was_set_on_the_command_line():
-    loaded = load("procedure", "pendulum", overrides=["rig.hinge.offset=30 mm"])
-    offset = loaded.document.rig.hinge.offset
-    assert offset == pytest.approx(0.030)
-    assert (offset.source, offset.confidence) == ("set on the command line", "estimated")
-    assert loaded.overrides == (Change("rig.hinge.offset", "30 mm", "25 mm"),)
+    loaded = load("procedure", "pendulum", overrides=["rig.added mass.mass=5100 g"])
+    mass = loaded.document.rig.added_mass.mass
+    assert mass == pytest.approx(5.1)
+    assert (mass.source, mass.confidence) == ("set on the command line", "estimated")
+    assert loaded.overrides == (Change("rig.added mass.mass", "5100 g", "5 kg"),)
 
 
 def test_the_file_itself_stays_what_it_was():
-    changed = load("procedure", "pendulum", overrides=["rig.hinge.offset=30 mm"])
+    changed = load("procedure", "pendulum", overrides=["rig.added mass.mass=6 kg"])
     plain = load("procedure", "pendulum")
     assert changed.sha256 == plain.sha256
     assert changed.text == plain.text
-    assert plain.document.rig.hinge.offset == pytest.approx(0.025)
+    assert plain.document.rig.added_mass.mass == 5.0
 
 
 @pytest.mark.parametrize(

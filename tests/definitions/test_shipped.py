@@ -156,7 +156,7 @@ def test_the_bones_carry_400_newton_metres_at_the_papers_load(bone: str, force: 
 
 def test_the_knee_waits_for_the_regulations_areas():
     criteria = load("procedure", "static-knee").document.criteria
-    awaited = load("corridors", "r127-static").document
+    awaited = load("corridors", "r127-static-knee").document
     assert [c.id for c in criteria] == ["MCL-force", "ACL-force", "PCL-force", "LCL-force"]
     for criterion in criteria[:3]:
         assert awaited.entry(criterion.corridor.partition("/")[2]) is None

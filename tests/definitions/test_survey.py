@@ -16,14 +16,13 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 POLYGONS = """\
-corridors: r127-static
+corridors: r127-static-knee
 title: Made-up areas
 origin: {source: made up for a test, confidence: estimated}
 polygons:
   MCL-force: {x: ram force, y: MCL elongation, points: [[0 N, -1 mm], [5 kN, -1 mm], [5 kN, 40 mm]]}
   ACL-force: {x: ram force, y: ACL elongation, points: [[0 N, -1 mm], [5 kN, -1 mm], [5 kN, 40 mm]]}
   PCL-force: {x: ram force, y: MCL elongation, points: [[0 N, -1 mm], [5 kN, -1 mm], [5 kN, 40 mm]]}
-awaited: {femur: later, tibia: later}
 """
 
 
@@ -65,7 +64,7 @@ def test_a_sound_procedure_disagrees_with_nothing():
 
 
 def test_a_polygon_has_to_have_the_curves_axes(tmp_path: Path):
-    (tmp_path / "r127-static.yaml").write_text(POLYGONS, encoding="utf-8")
+    (tmp_path / "r127-static-knee.yaml").write_text(POLYGONS, encoding="utf-8")
     assert against(library=(tmp_path,), name="static-knee") == [
         "has MCL elongation on its y axis; the criterion's curve has another channel there"
     ]
