@@ -15,17 +15,28 @@ class Group(Section):
 
     kind: Literal["fascia", "hood", "engine room"]
     mass: Mass
-    position: Annotated[Length, Field(description="x of the face at the middle of its height span.")]
+    position: Annotated[
+        Length | None, Field(description="x of the face at the middle of its height span.")
+    ] = None
     low: Annotated[Length | None, Field(description="Lower end of the face; none: never touched.")] = None
     high: Annotated[Length | None, Field(description="Upper end of the face.")] = None
     slope: Annotated[Ratio | None, Field(description="dx/dz of the face.")] = None
 
 
+class Bottoming(Section):
+    """The end of a spring's travel: beyond `at` it is stiffer by `stiffness`."""
+
+    at: Length
+    stiffness: Stiffness
+
+
 class Connection(Section):
     """What lies between two groups, or between a group and the ground: a spring law and a damper.
 
-    Loading is piecewise linear through `loading` (shortening, force), continued with its last slope. Unloading runs down
-    with `unloading` stiffness to `residual` times the loading force's secant, then along it; see the mechanics room.
+    Loading is piecewise linear through `loading` (shortening, force), continued with its last slope, and with `bottoming`
+    beyond its travel. From the largest shortening x and force F so far, unloading and reloading run down with the `unloading`
+    stiffness to the line from `permanent set`·x to `residual`·F, then along it; never below zero. Points at negative
+    shortenings are the pulling side of a spring with `tension`.
     """
 
     between: Annotated[
@@ -33,10 +44,12 @@ class Connection(Section):
     ]
     loading: Annotated[list[tuple[Length, Force]], Field(min_length=2, max_length=500)]
     unloading: Stiffness | None = None
-    residual: Ratio | None = None
+    residual: Annotated[Ratio | None, Field(description="Share of the largest force that stays; 0 when missing.")] = None
+    permanent_set: Annotated[Ratio | None, Field(description="Share of the largest shortening that stays.")] = None
     damping: Damping | None = None
     gap: Annotated[Length | None, Field(description="Free travel before the spring acts.")] = None
     tension: Annotated[bool, Field(description="Whether the spring also pulls.")] = False
+    bottoming: Bottoming | None = None
 
 
 class Vehicle(Section):

@@ -60,10 +60,11 @@ def convert(
         SHA-256 of the curve's file.
     """
     length = float(material.length)
-    strain = np.array(law.shortening) / length
-    stress = np.array(law.force) / area
     x, force = history
     k = int(np.argmax(x))
+    # The law goes on beyond the history; the comparison must not.
+    reached = np.array([s for s in law.shortening if 0 <= s < x[k]] + [float(x[k])])
+    strain, stress = reached / length, law.loading(reached) / area
     rms = mean = None
     reference_strain: Values = np.zeros(0)
     reference_stress: Values = np.zeros(0)

@@ -19,13 +19,20 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 KNOTS = 60
+ROUGH_KNOTS = 20
+ROUGH = 5.0
+"""Where a law with many knots misses its history by more than this (per cent, rms), the knots would follow noise: few are used."""
+
+BEYOND = 0.5
+"""A loading curve is continued by this share of its range, with the mean slope of its last fifth: one knot's slope is noise."""
+
 SIMPLIFY = 0.002
 """Points of the loading curve may be left out as long as the curve moves by less than this share of its peak."""
 
 VIRGIN = 0.003
 """A shortening within this share of the range below its largest value so far still counts as loading."""
 
-DAMPER_GAIN = 0.9
+DAMPER_GAIN = 0.95
 """A damper is kept when it brings the rms misfit below this share of the misfit without one."""
 
 STARTS = ((1.5, 0.05, 0.0), (4.0, 0.3, 0.0), (12.0, 0.1, 0.2), (4.0, 0.0, 0.0))
@@ -72,14 +79,21 @@ def fit_law(x: Values, v: Values, force: Values, *, tension: bool) -> Fit | None
     problem = _Problem(x, v, force, tension, peak)
     if not problem.carries:
         return None
-    unloaded = problem.unloads
-    if not unloaded:
+    fit = _fitted(problem)
+    if fit.misfit > ROUGH:
+        problem.knots = ROUGH_KNOTS
+        fit = _fitted(problem)
+    return replace(fit, law=_continued(_simplified(fit.law)))
+
+
+def _fitted(problem: _Problem) -> Fit:
+    if not problem.unloads:
         law = problem.law(Branch(4.0 * problem.secant), 0.0)
-        return Fit(_simplified(law), problem.misfit(law), unloaded=False)
+        return Fit(law, problem.misfit(law), unloaded=False)
     bare = problem.best(damped=False)
     damped = problem.best(damped=True)
     keep = problem.misfit(damped) < DAMPER_GAIN * problem.misfit(bare)
-    law = _simplified(damped if keep else bare)
+    law = damped if keep else bare
     return Fit(law, problem.misfit(law), unloaded=True)
 
 
@@ -89,6 +103,7 @@ class _Problem:
     def __init__(self, x: Values, v: Values, force: Values, tension: bool, peak: float) -> None:  # noqa: FBT001  # private
         self.x, self.v, self.force, self.tension, self.peak = x, v, force, tension, peak
         self.pushed = np.maximum(x, 0.0)
+        self.knots = KNOTS
         self.start = 0.0 if tension else self._onset()
         self.top = float(np.max(self.pushed))
         self.carries = self.top > self.start or (tension and float(np.min(x)) < 0)
@@ -114,13 +129,13 @@ class _Problem:
 
     def law(self, branch: Branch, damping: float) -> SpringLaw:
         """Lay a loading curve through the loading instants, given the branch and the damper."""
-        push = _curve(self.pushed, self.force - damping * self.v, self.start, self.top)
+        push = _curve(self.pushed, self.force - damping * self.v, self.start, self.top, self.knots)
         shortening, force = push
         if self.tension:
             one = SpringLaw(tuple(shortening), tuple(force), branch)
             rest = one.rest_length(self.pushed)
             y = np.maximum(rest - self.x, 0.0)
-            pull_x, pull_f = _curve(y, -(self.force - damping * self.v), 0.0, float(np.max(y)))
+            pull_x, pull_f = _curve(y, -(self.force - damping * self.v), 0.0, float(np.max(y)), self.knots)
             shortening = np.concatenate([-pull_x[:0:-1], shortening])
             force = np.concatenate([-pull_f[:0:-1], force])
         return SpringLaw(
@@ -158,7 +173,7 @@ class _Problem:
         return law_of(np.array(min(found)[1]))
 
 
-def _curve(x: Values, force: Values, start: float, top: float) -> tuple[Values, Values]:
+def _curve(x: Values, force: Values, start: float, top: float, count: int) -> tuple[Values, Values]:
     """Fit a piecewise-linear curve, zero up to `start`, to the loading instants of x ≥ 0.
 
     A small second-difference penalty carries the curve over knots that few instants fall on.
@@ -167,29 +182,29 @@ def _curve(x: Values, force: Values, start: float, top: float) -> tuple[Values, 
         return np.array([0.0, max(start, 1e-6)]), np.zeros(2)
     virgin = (x >= np.maximum.accumulate(x) - VIRGIN * top) & (x > start)
     # After the largest value, only instants at the very top are still loading.
-    knots = np.linspace(start, top, KNOTS + 1)
+    knots = np.linspace(start, top, count + 1)
     width = knots[1] - knots[0]
-    place = np.clip((x[virgin] - start) / width, 0, KNOTS)
-    left = np.minimum(place.astype(int), KNOTS - 1)
-    values = _knot_values(left, place - left, force[virgin])
+    place = np.clip((x[virgin] - start) / width, 0, count)
+    left = np.minimum(place.astype(int), count - 1)
+    values = _knot_values(left, place - left, force[virgin], count)
     curve = np.maximum(np.concatenate([[0.0], values]), 0.0)
     if start > 0:
         return np.concatenate([[0.0], knots]), np.concatenate([[0.0], curve])
     return knots, curve
 
 
-def _knot_values(left: NDArray[np.int64], share: Values, force: Values) -> Values:
+def _knot_values(left: NDArray[np.int64], share: Values, force: Values, count: int) -> Values:
     """Solve for the values at all knots but the first, which is zero: least squares on hats with a smoothness penalty.
 
     The normal equations have five diagonals, so this takes microseconds where a dense solver takes milliseconds.
     """
     from scipy.linalg import solveh_banded  # noqa: PLC0415  # 0.9 s, only here
 
-    size = KNOTS + 1
+    size = count + 1
     diagonal = np.bincount(left, (1 - share) ** 2, size) + np.bincount(left + 1, share**2, size)
     beside = np.bincount(left, (1 - share) * share, size)
     target = np.bincount(left, (1 - share) * force, size) + np.bincount(left + 1, share * force, size)
-    penalty = 1e-6 * max(left.size, 1) / KNOTS
+    penalty = 1e-6 * max(left.size, 1) / count
     bands = np.zeros((3, size))
     bands[2], bands[1, 1:] = diagonal, beside[:-1]
     bands[2, :-2] += penalty
@@ -200,6 +215,22 @@ def _knot_values(left: NDArray[np.int64], share: Values, force: Values) -> Value
     bands[0, 2:] += penalty
     bands[2] += 1e-12 * penalty  # a lone knot must not make the matrix singular
     return np.asarray(solveh_banded(bands[:, 1:], target[1:]))
+
+
+def _continued(law: SpringLaw) -> SpringLaw:
+    """Continue both ends of the loading curve beyond the history with a slope that means something."""
+    x, f = list(law.shortening), list(law.force)
+    for end, sign in ((-1, 1.0), (0, -1.0)):
+        top = x[end]
+        if sign * top <= 0:
+            continue
+        inner = float(np.interp(0.8 * top, x, f))
+        slope = min(max((f[end] - inner) / (0.2 * top), 0.0), abs(f[end] / top))
+        further = (1 + BEYOND) * top
+        point = (further, f[end] + slope * (further - top))
+        x.insert(len(x) if sign > 0 else 0, point[0])
+        f.insert(len(f) if sign > 0 else 0, point[1])
+    return replace(law, shortening=tuple(x), force=tuple(f))
 
 
 def _simplified(law: SpringLaw) -> SpringLaw:

@@ -22,9 +22,12 @@ from certkit.mechanics.laws import (
     CUSHION,
     DRAG,
     FLESH,
+    FRONT,
     GRAVITY,
     LOADING,
     NOSE,
+    POINTS,
+    SPRINGS,
     SUPPORTS,
 )
 from certkit.mechanics.laws.bending import bend
@@ -34,8 +37,10 @@ from certkit.mechanics.laws.condyles import press
 from certkit.mechanics.laws.crush import crush
 from certkit.mechanics.laws.cushion import squeeze
 from certkit.mechanics.laws.flesh import hang
+from certkit.mechanics.laws.front import slide
 from certkit.mechanics.laws.loading import push
 from certkit.mechanics.laws.nose import lean
+from certkit.mechanics.laws.spring import stretch
 from certkit.mechanics.laws.supports import carry
 from certkit.mechanics.laws.table import (
     ANGLE,
@@ -105,6 +110,8 @@ def act(tables: tuple[Table, ...], scene: Scene, load: Floats, ledger: Floats) -
     carry(*tables[SUPPORTS], scene, load, ledger[SUPPORTS])
     push(*tables[LOADING], scene, load, ledger[LOADING])
     lean(*tables[NOSE], scene, load, ledger[NOSE])
+    slide(*tables[FRONT], scene, load, ledger[FRONT])
+    stretch(*tables[SPRINGS], tables[POINTS][1], scene, load, ledger[SPRINGS])
 
 
 @compiled
@@ -244,6 +251,9 @@ def march(  # noqa: C901, PLR0912, PLR0913, PLR0915, PLR0917  # one loop, compil
         table(layout, SUPPORTS, index, number, state),
         table(layout, LOADING, index, number, state),
         table(layout, NOSE, index, number, state),
+        table(layout, FRONT, index, number, state),
+        table(layout, POINTS, index, number, state),
+        table(layout, SPRINGS, index, number, state),
     )
     most, stride, frame_stride, trigger, after = plan
     contact = 0 if trigger < 0 else -1

@@ -94,7 +94,7 @@ def film(site: Site, leg: Leg, run: Trajectory, readings: Mapping[str, Floats], 
         figures.append(Figure(f"flesh {len(figures)}", "flesh", shape))
         bodies.append(body)
     for body, (name, shape) in site.figures.items():
-        figures.append(Figure(name, "ram", shape))
+        figures.append(Figure(name, "vehicle" if name in site.front else "ram", shape))
         bodies.append(body)
     poses = run.frames[:, bodies, :].copy()
     # Flesh is a point mass; it is drawn leaning with its bone.

@@ -7,13 +7,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.errors import RunError
 from certkit.mechanics.channels import channels, probes
+from certkit.mechanics.front import FrontHistories, front_histories, front_probes
 from certkit.mechanics.leg import add_leg
 from certkit.mechanics.loop import Plan, Trajectory, run_world
 from certkit.mechanics.motion import Motion, film
 from certkit.mechanics.quality import Quality, judge
 from certkit.mechanics.rigs.added_mass import with_added_mass
 from certkit.mechanics.rigs.bending import DRAG, HOLD, RAMP, fit_loading_ram, fit_supports
+from certkit.mechanics.rigs.front import fit_front
 from certkit.mechanics.rigs.pins import fit_hanger, fit_hinge
 from certkit.mechanics.rigs.ram import fit_ram
 from certkit.mechanics.rigs.release import fit_release
@@ -27,6 +30,7 @@ from certkit.signals import Recording
 if TYPE_CHECKING:
     from certkit.definitions.legform import Legform
     from certkit.definitions.procedure import Procedure
+    from certkit.definitions.vehicle import Vehicle
 
 STEP = 2e-5
 """s: step halving changes no peak by more than 0.1 % at it."""
@@ -47,15 +51,18 @@ class Simulation:
     quality : Quality
     solver_seconds : float
         Of the time loop.
+    front : FrontHistories, optional
+        What the vehicle's front did, where one was hit.
     """
 
     recording: Recording
     motion: Motion
     quality: Quality
     solver_seconds: float
+    front: FrontHistories | None = None
 
 
-def build(procedure: Procedure, legform: Legform) -> Site:
+def build(procedure: Procedure, legform: Legform, vehicle: Vehicle | None = None) -> Site:
     """Put the legform on the procedure's rig; `site.assembly.finish()` is the world to run."""
     rig, specimen = procedure.rig, procedure.specimen
     static = rig.loading_ram is not None
@@ -80,6 +87,10 @@ def build(procedure: Procedure, legform: Legform) -> Site:
         fit_supports(site, rig.supports)
     if rig.loading_ram is not None:
         fit_loading_ram(site, rig.loading_ram)
+    if rig.free_flight is not None:
+        if vehicle is None:
+            raise RunError("free flight hits a vehicle; name one in the procedure")
+        fit_front(site, vehicle, rig.free_flight)
     site.draw_outline()
     return site
 
@@ -88,6 +99,7 @@ def simulate(
     procedure: Procedure,
     legform: Legform,
     *,
+    vehicle: Vehicle | None = None,
     time_step: float | None = None,
     iterations: int | None = None,
     sample: int | None = None,
@@ -98,6 +110,8 @@ def simulate(
     ----------
     procedure : Procedure
     legform : Legform
+    vehicle : Vehicle, optional
+        What is hit in free flight.
     time_step : float, optional
         Seconds; the procedure's own, else 2e-5, when not given. Halve it to see what it costs.
     iterations : int, optional
@@ -113,11 +127,11 @@ def simulate(
     """
     step = time_step or float(procedure.run.time_step or STEP)
     iterations = iterations or ITERATIONS
-    site = build(procedure, legform)
+    site = build(procedure, legform, vehicle)
     world = site.assembly.finish()
-    wanted = probes(world, site.leg, site)
+    wanted = {**probes(world, site.leg, site), **front_probes(world, site)}
     plan = _plan(procedure, site, step, iterations, sample)
-    tracked = site.leg.blocks if site.leg.knee_row >= 0 else ()
+    tracked = (*(site.leg.blocks if site.leg.knee_row >= 0 else ()), *site.front.values())
     run = run_world(world, plan, list(wanted.values()), tracked)
     readings = {name: run.readings[:, i] for i, name in enumerate(wanted)}
     every = plan.frame // plan.sample
@@ -129,7 +143,8 @@ def simulate(
         channels=channels(site, site.leg, run, readings),
         source=procedure.procedure,
     )
-    return Simulation(_from_contact(recording, run), motion, quality, run.seconds)
+    front = front_histories(site, run, readings)
+    return Simulation(_from_contact(recording, run), motion, quality, run.seconds, front)
 
 
 def _plan(procedure: Procedure, site: Site, step: float, iterations: int, sample: int | None) -> Plan:

@@ -163,6 +163,10 @@ class Assembly:
         """Give everything placed so far the speed of a turn about a point of space."""
         self._speed = [(-rate * (pz - z), rate * (px - x), rate) for px, pz, _ in self._pose]
 
+    def throw(self, x: float, z: float) -> None:
+        """Give everything placed so far one speed."""
+        self._speed = [(x, z, 0.0)] * len(self._speed)
+
     def masses(self) -> NDArray[np.float64]:
         """Return mass, x, z and inertia of all bodies so far, shape (n, 4)."""
         return np.array(

@@ -26,7 +26,16 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-_GLOBALS: tuple[str, ...] = ("internal", "kinetic", "x momentum", "y momentum", "z momentum", "mass", "time step", "rotation")
+_GLOBALS: tuple[str, ...] = (
+    "internal",
+    "kinetic",
+    "x momentum",
+    "y momentum",
+    "z momentum",
+    "mass",
+    "time step",
+    "rotation",
+)
 _GLOBALS += ("external work", "spring", "contact", "hourglass")
 _ENERGIES = frozenset(_GLOBALS) - {"x momentum", "y momentum", "z momentum", "mass", "time step"}
 _PART_VARIABLES = {

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from certkit.definitions.legform import Legform
     from certkit.definitions.rig import Rig
     from certkit.mechanics.leg import Leg
+    from certkit.mechanics.rigs.front import Strip
     from certkit.mechanics.world import Assembly
 
 GRAVITY = 9.81
@@ -39,6 +40,10 @@ class Site:
         Of moving bodies of the rig: polygons in the body's frame, for the picture.
     scene : list
         Names and polygons of what never moves.
+    front : dict of str to int
+        Bodies of a vehicle's groups.
+    strips, springs : tuple
+        Strips of its faces and names of its springs, in the order of their rows.
     """
 
     assembly: Assembly
@@ -51,6 +56,9 @@ class Site:
     reach: float = 0.0
     figures: dict[int, tuple[str, Outline]] = field(default_factory=dict)
     scene: list[tuple[str, Outline]] = field(default_factory=list)
+    front: dict[str, int] = field(default_factory=dict)
+    strips: tuple[Strip, ...] = ()
+    springs: tuple[str, ...] = ()
 
     def end_height(self, end: str) -> float:
         """Return the height of `femur end` or `tibia end`."""
