@@ -9,7 +9,8 @@ from pydantic import Field, ValidationError
 
 from certkit.errors import DataError
 from certkit.files import write_whole
-from certkit.grading.result import ComparisonRow, Figure, Figures, Part, Verdict
+from certkit.grading.result import ComparisonRow, Part, Verdict
+from certkit.grading.rounding import Figure, Figures
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -8,7 +8,8 @@ import numpy as np
 
 from certkit.definitions.vocabulary import CHANNELS, DIMENSIONS
 from certkit.errors import DataError
-from certkit.grading.result import Histories, Series, rounded_all
+from certkit.grading.result import Histories, Series
+from certkit.grading.rounding import rounded_all
 from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:

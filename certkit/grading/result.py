@@ -7,58 +7,17 @@ meaning.
 
 from __future__ import annotations
 
-import math
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, PlainSerializer
+from pydantic import BaseModel, ConfigDict, Field
 
 from certkit.definitions.origin import Confidence
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    import numpy as np
-    from numpy.typing import NDArray
+from certkit.grading.rounding import Figure, Figures, Point
 
 SCHEMA = "certkit-result/1"
 
 Verdict = Literal["pass", "fail", "conditional", "not evaluated", "error"]
 Kind = Literal["virtual certification", "test evaluation"]
-
-SIGNIFICANT_DIGITS = 7
-
-
-def rounded(value: float) -> float:
-    """Round to the digits that the document keeps, so that the last bits of a platform's libm do not show."""
-    if value == 0 or not math.isfinite(value):
-        return value
-    return round(value, SIGNIFICANT_DIGITS - 1 - math.floor(math.log10(abs(value))))
-
-
-def rounded_all(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
-    """Round many values as `rounded` does; 20 times quicker from a few dozen on."""
-    import numpy as np  # noqa: PLC0415  # words and numbers are read without it
-
-    given = np.asarray(values, dtype=np.float64)
-    # A whole number over a power of ten up to 1e22 is the nearest double to the decimal, so it prints short.
-    size = np.abs(given)
-    plain = (size < 1e-15) | (size > 1e15) | ~np.isfinite(size)
-    size[plain] = 1.0
-    exponent = SIGNIFICANT_DIGITS - 1 - np.floor(np.log10(size))
-    # Powers from a table: a vectorised `**` may be an ulp off, and then the quotient prints long.
-    powers = np.array([float(f"1e{k}") for k in range(23)])
-    up, down = (powers[np.maximum(e, 0).astype(np.intp)] for e in (exponent, -exponent))
-    listed: list[float] = np.where(
-        plain, given, np.rint(size * up / down) * down / up * np.sign(given)
-    ).tolist()
-    for index in np.flatnonzero(plain & (given != 0)):
-        listed[int(index)] = rounded(listed[int(index)])
-    return listed
-
-
-Figure = Annotated[float, PlainSerializer(rounded, when_used="json")]
-Figures = Annotated[list[float], PlainSerializer(rounded_all, return_type=list[float], when_used="json")]
-Point = tuple[Figure, Figure]
 
 
 class Part(BaseModel):

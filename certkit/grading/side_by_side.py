@@ -11,7 +11,8 @@ from certkit.definitions.vocabulary import CHANNELS
 from certkit.errors import DataError
 from certkit.grading.comparison import error_percent, rms
 from certkit.grading.comparison_document import ChannelRating, ComparisonDocument, Overlay, Side
-from certkit.grading.result import ComparisonRow, rounded_all
+from certkit.grading.result import ComparisonRow
+from certkit.grading.rounding import rounded_all
 from certkit.signals import Filtered, rate, resampled
 from certkit.signals.iso18571 import INTERVAL, grade
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from certkit.grading.result import SIGNIFICANT_DIGITS
+from certkit.grading.rounding import SIGNIFICANT_DIGITS
 
 if TYPE_CHECKING:
     from certkit.grading.result import Result

@@ -35,14 +35,15 @@ class Contact:
 def first_contact(recording: Recording) -> Contact | None:
     """Find the first contact.
 
-    The channel must rise to 5 % of its peak; contact is where that rise leaves the noise (0.5 % of the peak, or three
-    standard deviations of the record's first 5 ms).
+    The channel must rise to 5 % of its peak; contact is where that rise leaves the noise (0.5 % of the
+    peak, or three standard deviations of the record's first 5 ms).
 
     Returns
     -------
     Contact or None
-        None when no channel that shows contact was recorded, when none of them rises, and when one of them rises from
-        the first sample on: such a record begins at or after contact, and its own time zero is the best there is.
+        None when no channel that shows contact was recorded, when none of them rises, and when one of them
+        rises from the first sample on: such a record begins at or after contact, and its own time zero is
+        the best there is.
     """
     found: Contact | None = None
     start = slice(0, max(10, int(np.searchsorted(recording.time, recording.time[0] + SHORTEST))))
@@ -70,7 +71,7 @@ def shifted(recording: Recording, zero: float) -> Recording:
 
 
 def _moves(values: NDArray[np.float64], start: slice) -> bool:
-    """Tell whether a channel drifts during the record's start, by more than its noise and 0.5 % of its peak."""
+    """Tell whether a channel drifts in the record's start by more than its noise and 0.5 % of its peak."""
     first, second = np.array_split(values[start], 2)
     drift = abs(float(second.mean() - first.mean()))
     noise = max(float(first.std()), float(second.std()))

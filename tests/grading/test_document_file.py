@@ -16,7 +16,8 @@ from certkit.errors import DataError, UsageError
 from certkit.grading import exit_code, from_json, read_result, to_json, with_spread, worst, write_result
 from certkit.grading.curves import drawn_curves, histories, raw_channels, recording_of, thinned
 from certkit.grading.identity import certificate_id
-from certkit.grading.result import Quality, Result, rounded, rounded_all
+from certkit.grading.result import Quality, Result
+from certkit.grading.rounding import rounded, rounded_all
 from certkit.signals import Filtered
 
 if TYPE_CHECKING:
