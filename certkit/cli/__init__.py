@@ -11,16 +11,19 @@ import typer
 
 from certkit._version import __version__
 from certkit.cli import (
+    calibrate,
     compare,
     export,
     extract,
     figure,
     grade,
+    history,
     list_,
     report,
     run,
     schema,
     show,
+    study,
     validate,
     verify,
 )
@@ -54,7 +57,10 @@ app.command("report", rich_help_panel=TESTS)(report.report)
 app.command("figure", rich_help_panel=TESTS)(figure.figure)
 app.command("export", rich_help_panel=TESTS)(export.export)
 app.command("verify", rich_help_panel=TESTS)(verify.verify)
+app.add_typer(history.app, name="history", rich_help_panel=TESTS)
 app.command("extract", rich_help_panel=MODELS)(extract.extract)
+app.command("calibrate", rich_help_panel=MODELS)(calibrate.calibrate)
+app.command("study", rich_help_panel=MODELS)(study.study)
 app.command("list", rich_help_panel=DEFINITIONS)(list_.list_)
 app.command("show", rich_help_panel=DEFINITIONS)(show.show)
 app.command("validate", rich_help_panel=DEFINITIONS)(validate.validate)
