@@ -102,5 +102,7 @@ def _first_maximum(values: NDArray[np.float64], begin: int) -> int | None:
 def _crossing(time: NDArray[np.float64], values: NDArray[np.float64], peak: int) -> float:
     """Return when `values` first comes down to zero after `peak`, between samples by straight lines."""
     index = peak + int(np.argmax(values[peak:] <= 0.0))
+    if index == peak:  # lowered below zero as a whole: it has crossed by then
+        return float(time[peak])
     before, after = float(values[index - 1]), float(values[index])
     return float(time[index] + (time[index] - time[index - 1]) * after / (before - after))

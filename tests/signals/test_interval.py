@@ -64,6 +64,14 @@ def test_a_bone_that_never_crosses_zero_lowers_all_curves_until_it_does():
     assert "lowered by" in found.words
 
 
+def test_a_bone_lowered_below_zero_as_a_whole_has_crossed_at_its_maximum():
+    never = 40.0 + bending(0.060, back=-10.0)
+    found = assessment_interval(TIME, {"F3": bending(0.090, peak=20.0), "T2": never})
+    assert found is not None
+    assert found.decided_by == "T2"
+    assert np.isfinite(found.end)
+
+
 def test_the_curves_themselves_are_not_lowered():
     never = 40.0 + bending(0.030, back=-10.0)
     before = never.copy()
