@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.library import load
 from certkit.definitions.study import Study
+from certkit.reporting.plaintext import aligned
 from certkit.studies.designs import (
     correlation_matrix,
     full_factorial,
@@ -61,6 +62,31 @@ class Findings:
     indices: pd.DataFrame | None = None
     models: list[QuickModel] = field(default_factory=list)
     chances: list[Chance] = field(default_factory=list)
+    output_units: dict[str, str] = field(default_factory=dict)
+
+    def words(self) -> str:
+        """Return the chances, or else the strongest effects, in some lines for a terminal."""
+        runs = f"{len(self.table)} runs" + (f", {self.failed} failed" if self.failed else "")
+        if self.chances:
+            heads = ("criterion", "inside", "probability", "95 % interval")
+            rows = [
+                (
+                    c.criterion,
+                    f"{c.inside} of {c.runs}",
+                    f"{c.probability:.3f}",
+                    f"{c.lower:.3f} to {c.upper:.3f}",
+                )
+                for c in self.chances
+            ]
+            return f"{aligned(heads, rows, right=(1, 2, 3))}\n{runs}"
+        strongest = self.effects.loc[self.effects.groupby("output", sort=False)["share"].idxmax()]
+        rows = [
+            (str(e["output"]), str(e["factor"]), f"{e['effect']:+.4g}", self.output_units[str(e["output"])])
+            for e in strongest.to_dict(orient="records")
+            if e["output"] in self.output_units
+        ]
+        heads = ("output", "moved most by", "effect", "unit")
+        return f"{aligned(heads, rows, right=(2,))}\n{runs}"
 
     @property
     def units(self) -> dict[str, str]:
@@ -141,7 +167,7 @@ def study(
         cluster=cluster,
         progress=progress,
     ) as runs:
-        return carry_out(sheet, factors, runs)
+        return replace(carry_out(sheet, factors, runs), output_units=trial.output_units())
 
 
 def set_up(sheet: Study, library: Sequence[Path] = ()) -> tuple[Trial, list[Factor]]:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import certkit
 from certkit.bench.setup import PACKAGES, Setup, prepare
+from certkit.definitions.vocabulary import channel_kind
 from certkit.grading import grade_criteria, grade_quality, overall
 from certkit.studies.quantity import written
 
@@ -106,6 +107,18 @@ class Trial:
                 programs(),
             ]
         )
+
+    def output_units(self) -> dict[str, str]:
+        """Return the units of criteria and their margins by output."""
+        units: dict[str, str] = {}
+        for name in self.procedures:
+            for criterion in self.prepared(name, {}).procedure.criteria:
+                kind = channel_kind(criterion.channel or (criterion.curve.y if criterion.curve else ""))
+                if kind is not None:
+                    units[f"{name}/{criterion.id}"] = units[f"{name}/{criterion.id} margin"] = (
+                        kind.dimension.unit
+                    )
+        return units
 
     def nominals(self) -> dict[str, str]:
         """Return the values in the definitions by parameter name, as written there."""

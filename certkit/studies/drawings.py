@@ -1,0 +1,113 @@
+"""The figures of a study: tornado, scatter, trade-off. Drawn like the certificates' figures."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.reporting.palette import ACCENT, GRID, INK, LINE, MUTED, PENS
+from certkit.reporting.scales import Scale, span, ticks
+from certkit.reporting.svg import label, number, picture, tag
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+WIDTH = 640.0
+BAR = 16.0
+NAMES = 250.0
+MOST_DOTS = 600
+"""Dots in one scatter figure: more cannot be told apart and make the page heavy."""
+
+
+def tornado(rows: Sequence[tuple[str, float, float, float]], title: str, unit: str) -> str:
+    """Draw one bar a parameter from zero to its effect, the longest on top, with its interval as a whisker.
+
+    Parameters
+    ----------
+    rows : sequence of (name, effect, lower, upper)
+        Lower and upper end of the whisker; NaN leaves it out.
+    title, unit : str
+    """
+    rows = sorted(rows, key=lambda row: -abs(row[1]))
+    known = [value for row in rows for value in (0.0, *row[1:]) if value == value]  # noqa: PLR0124  # NaN
+    low, high = span(known)
+    scale = Scale(low, high, NAMES, WIDTH - 12)
+    height = 24 + len(rows) * (BAR + 8) + 34
+    bottom = height - 34
+    parts = [
+        tag("line", x1=scale(value), x2=scale(value), y1=16.0, y2=bottom, stroke=GRID)
+        + label(scale(value), bottom + 14, f"{value:g}", text_anchor="middle", fill=MUTED)
+        for value in ticks(low, high)
+    ]
+    for index, (name, effect, lower, upper) in enumerate(rows):
+        top = 20 + index * (BAR + 8)
+        left, right = sorted((scale(0.0), scale(effect)))
+        pen = PENS[0] if effect >= 0 else PENS[1]
+        parts.append(label(NAMES - 10, top + 12, name, text_anchor="end"))
+        parts.append(tag("rect", x=left, y=top, width=right - left, height=BAR, fill=pen.colour))
+        if lower == lower and upper == upper:  # noqa: PLR0124  # NaN
+            middle = top + BAR / 2
+            parts.append(
+                tag(
+                    "line",
+                    x1=scale(lower),
+                    x2=scale(upper),
+                    y1=middle,
+                    y2=middle,
+                    stroke=INK,
+                    stroke_width=1.5,
+                )
+            )
+        parts.append(label(WIDTH - 12, top + 12, f"{effect:+.3g}", text_anchor="end", fill=INK))
+    parts.append(tag("line", x1=scale(0.0), x2=scale(0.0), y1=14.0, y2=bottom, stroke=INK))
+    parts.append(
+        label((NAMES + WIDTH) / 2, height - 4, f"change over the range, {unit}", text_anchor="middle")
+    )
+    return picture(WIDTH, height, "".join(parts), title)
+
+
+def dots(
+    x: Sequence[float],
+    y: Sequence[float],
+    title: str,
+    names: tuple[str, str],
+    line: Sequence[tuple[float, float]] = (),
+) -> str:
+    """Draw a cloud of runs, and a line through some of them.
+
+    Parameters
+    ----------
+    x, y : sequence of float
+        Finite values.
+    title : str
+    names : (str, str)
+        Of the axes, with their units.
+    line : sequence of (float, float)
+        Joined in order; none when empty.
+    """
+    width, height, left, bottom = 300.0, 210.0, 52.0, 172.0
+    stride = max(1, -(-len(x) // MOST_DOTS))
+    across = Scale(*span(x), left, width - 8)
+    up = Scale(*span(y), bottom, 10.0)
+    parts = [
+        tag("line", x1=across(v), x2=across(v), y1=10.0, y2=bottom, stroke=GRID)
+        + label(across(v), bottom + 14, f"{v:g}", text_anchor="middle", fill=MUTED, font_size="10")
+        for v in ticks(across.low, across.high, 5)
+    ]
+    parts += [
+        tag("line", x1=left, x2=width - 8, y1=up(v), y2=up(v), stroke=GRID)
+        + label(left - 5, up(v) + 3.5, f"{v:g}", text_anchor="end", fill=MUTED, font_size="10")
+        for v in ticks(up.low, up.high, 5)
+    ]
+    parts.append(
+        tag("rect", x=left, y=10.0, width=width - 8 - left, height=bottom - 10, fill="none", stroke=LINE)
+    )
+    parts += [
+        tag("circle", cx=across(a), cy=up(b), r=1.8, fill=PENS[0].colour, fill_opacity="0.55")
+        for a, b in zip(x[::stride], y[::stride], strict=True)
+    ]
+    if line:
+        data = "M" + "L".join(f"{number(across(a))} {number(up(b))}" for a, b in line)
+        parts.append(tag("path", d=data, fill="none", stroke=ACCENT, stroke_width=1.6))
+    parts.append(label((left + width) / 2, bottom + 30, names[0], text_anchor="middle", font_size="10"))
+    parts.append(label(left, 6.0, names[1], font_size="10", fill=INK))
+    return picture(width, height, "".join(parts), title)
