@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from certkit.definitions.document import words
 from certkit.definitions.procedure import MEASURES, Criterion
 from certkit.definitions.quantities import parse_quantity
 from certkit.definitions.sentences import suggestion
@@ -106,9 +107,7 @@ def _fixtures(data: dict[str, Any]) -> Iterator[Finding]:
     given = data.get("rig")
     if not isinstance(given, dict):
         return
-    rig = [
-        name.replace("_", " ") for name, fixture in given.items() if fixture is not None and name != "origin"
-    ]
+    rig = [words(name) for name, fixture in given.items() if fixture is not None and name != "origin"]
     if not rig:
         yield ("rig",), "holds no fixture; name at least one, such as `hinge` or `supports`"
     for name in rig:
@@ -131,10 +130,7 @@ def _specimen(data: dict[str, Any], rig: list[str]) -> Iterator[Finding]:
     if "free flight" in rig and data.get("vehicle") is None:
         yield ("rig", "free flight"), "`free flight` hits a vehicle; name it with `vehicle`"
     if "free flight" not in rig and data.get("vehicle") is not None:
-        yield (
-            ("vehicle",),
-            "a vehicle is hit in `free flight` only; add that, or leave the vehicle out",
-        )
+        yield ("vehicle",), "a vehicle is hit in `free flight` only; add that, or leave the vehicle out"
 
 
 def _names(data: dict[str, Any]) -> Iterator[Finding]:
@@ -167,9 +163,8 @@ def _criteria(criteria: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML d
 
 def _criterion(criterion: dict[str, Any]) -> Iterator[Finding]:
     measure, channel, curve = (criterion.get(key) for key in ("measure", "channel", "curve"))
-    if measure in MEASURES and not set(criterion) - set(
-        fields(Criterion)
-    ):  # else what is missing is misspelt
+    misspelt = set(criterion) - set(fields(Criterion))
+    if measure in MEASURES and not misspelt:
         drawn = measure == "curve in polygon"
         if drawn and curve is None:
             yield ("measure",), "`curve in polygon` needs a `curve: {x: …, y: …}` of two channels"
@@ -191,10 +186,10 @@ def _criterion(criterion: dict[str, Any]) -> Iterator[Finding]:
         yield ("corridor",), f"`{corridor}` has to be written set/entry, such as `r127-pendulum/T1`"
 
 
-def _channel(steps: Steps, words: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML data
-    if isinstance(words, str) and channel_kind(words) is None:
+def _channel(steps: Steps, name: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML data
+    if isinstance(name, str) and channel_kind(name) is None:
         known = [word for kind in CHANNELS.values() for word in (kind.name, kind.title)]
-        yield steps, f"no channel is called `{words}`; {suggestion(words, known)}"
+        yield steps, f"no channel is called `{name}`; {suggestion(name, known)}"
 
 
 def _unfit(text: str, channel: str) -> Iterator[str]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
-from pydantic import BaseModel, ConfigDict, model_validator
+from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from certkit.definitions.faults import Faults
-from certkit.definitions.origin import Confidence, Number, Origin
+from certkit.definitions.origin import MIN_SOURCE, Confidence, Number, Origin, readable
 from certkit.definitions.shape import Shape, fields
 
 
@@ -44,12 +44,10 @@ class Section(Document):
             origin = origin.model_dump()
         if not isinstance(origin, dict):
             return data  # reported where it stands
-        origin = {key: origin[key] for key in ("source", "confidence") if key in origin}
-        shapes = fields(cls)
+        shapes = {**fields(cls), "origin": None}
+        origin = readable(origin)
         return {
-            key: value
-            if key == "origin"
-            else _with_origin(value, shapes.get(words(key), shapes.get(key)), origin)
+            key: _with_origin(value, shapes.get(words(key), shapes.get(key)), origin)
             for key, value in data.items()
         }
 
@@ -57,7 +55,7 @@ class Section(Document):
 class Sourced(Section):
     """A part whose numbers are texts with one origin: its own `source` and `confidence`, or inherited."""
 
-    source: str | None = None
+    source: Annotated[str | None, Field(min_length=MIN_SOURCE)] = None
     confidence: Confidence | None = None
 
     @model_validator(mode="before")
@@ -66,18 +64,14 @@ class Sourced(Section):
         origin = data.get("origin") if isinstance(data, dict) else None
         if isinstance(origin, Origin):
             origin = origin.model_dump()
-        if not isinstance(origin, dict):
-            return data
-        return {**{key: origin[key] for key in ("source", "confidence") if key in origin}, **data}
+        return {**readable(origin), **data} if isinstance(origin, dict) else data
 
     @model_validator(mode="after")
     def _has_origin(self) -> Self:
         if self.source is None or self.confidence is None:
             missing = "source" if self.source is None else "confidence"
-            message = (
-                f"`{missing}` is missing; add it here, or an `origin` with source and confidence further up"
-            )
-            raise Faults([((), message)])
+            hint = "add it here, or an `origin` with source and confidence further up"
+            raise Faults([((), f"`{missing}` is missing; {hint}")])
         return self
 
     def lines(self) -> dict[str, str]:

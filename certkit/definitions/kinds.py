@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from importlib import import_module
+from pathlib import PurePath
 from typing import TYPE_CHECKING, cast
 
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from pydantic import BaseModel
 
     from certkit.definitions.validation import Check
@@ -47,6 +50,11 @@ class Kind:
         """Tell whether a word means this kind: its own word, its plural or singular, or its folder."""
         last = self.folder.rpartition("/")[2]
         return word in {self.word, f"{self.word}s", self.word.rstrip("s"), self.folder, last} - {""}
+
+    def lives_in(self, folder: Path) -> bool:
+        """Tell whether a folder is one that a library keeps this kind in."""
+        parts = PurePath(self.folder).parts
+        return bool(parts) and folder.parts[-len(parts) :] == parts
 
     @property
     def model(self) -> type[BaseModel]:

@@ -179,11 +179,8 @@ def names(kind: str, library: Library = ()) -> list[str]:
 def neighbours(path: Path) -> list[Shelf]:
     """Return the shelves beside a file named by its path: its folder, and the library that it is part of."""
     folder = path.parent
-    roots = [folder]
-    for kind in KINDS.values():
-        parts = Path(kind.folder).parts
-        if parts and folder.parts[-len(parts) :] == parts:
-            roots.append(Path(*folder.parts[: -len(parts)]))
+    homes = [Path(kind.folder) for kind in KINDS.values() if kind.lives_in(folder)]
+    roots = [folder, *(folder.parents[len(home.parts) - 1] for home in homes)]
     return [FolderShelf(root, _shown(root)) for root in roots]
 
 

@@ -48,6 +48,19 @@ class Origin(BaseModel):
     confidence: Confidence
 
 
+def readable(origin: Mapping[str, Any]) -> dict[str, Any]:
+    """Return an origin that the numbers under it can inherit, whatever is wrong with it.
+
+    What is wrong is reported once, where the origin stands, and not again at each number.
+    """
+    source, confidence = origin.get("source"), origin.get("confidence")
+    named = isinstance(source, str) and len(source) >= MIN_SOURCE
+    return {
+        "source": source if named else "an origin that cannot be read",
+        "confidence": confidence if confidence in CONFIDENCES else "estimated",
+    }
+
+
 class Number(float):
     """A float in SI units that carries its origin and the words it was written in."""
 

@@ -151,13 +151,9 @@ def _events(text: str, file: str) -> Iterator[Any]:
 
 def _syntax(error: yaml.MarkedYAMLError, text: str) -> str:
     said = f"{error.context or ''} {error.problem or ''}"
-    lines = text.split("\n")
     number = error.problem_mark.line if error.problem_mark else 0
-    if (
-        "tab character" in said
-        or "'\\t'" in said
-        or "".join(lines[number : number + 1]).lstrip(" ").startswith("\t")
-    ):
+    line = "".join(text.split("\n")[number : number + 1])
+    if "tab character" in said or "'\\t'" in said or line.lstrip(" ").startswith("\t"):
         return "a tab cannot indent YAML; use spaces"
     if "alias" in said:
         return f"{error.problem}; name it with & first, or write the value out"
@@ -206,11 +202,10 @@ class _Reader:
 
     def _node(self, event: Any, steps: Steps) -> Any:  # noqa: ANN401  # as above
         self._count(1, event)
-        if len(steps) > MAX_DEPTH:
-            raise self._stop(event, f"is nested more than {MAX_DEPTH} levels deep")
+        self._descend(len(steps), event)
         self.values[steps] = _place(event)
         if isinstance(event, yaml.AliasEvent):
-            return self._alias(event)
+            return self._alias(event, len(steps))
         if event.tag is not None:
             self.problems.append(self._problem(event, f"the tag `{event.tag}` is not used here; remove it"))
         before = self.nodes
@@ -247,12 +242,17 @@ class _Reader:
                 entries[key] = self._node(next(self.events), path)
         return entries
 
-    def _alias(self, event: Any) -> Any:  # noqa: ANN401  # as above
+    def _alias(self, event: Any, level: int) -> Any:  # noqa: ANN401  # as above
         if event.anchor not in self.anchors:  # unknown, or inside the very value it names
             raise self._stop(event, f"`*{event.anchor}` names no value before it; write the value out")
         data, size = self.anchors[event.anchor]
         self._count(size, event)
+        self._descend(level + _depth(data), event)
         return _copy(data)
+
+    def _descend(self, level: int, event: Any) -> None:  # noqa: ANN401  # as above
+        if level > MAX_DEPTH:
+            raise self._stop(event, f"is nested more than {MAX_DEPTH} levels deep")
 
     def _count(self, more: int, event: Any) -> None:  # noqa: ANN401  # as above
         self.nodes += more
@@ -263,6 +263,11 @@ class _Reader:
 
 def _place(event: Any) -> Place:  # noqa: ANN401  # as above
     return (event.start_mark.line + 1, event.start_mark.column + 1)
+
+
+def _depth(data: Any) -> int:  # noqa: ANN401  # any plain data
+    entries = data.values() if isinstance(data, dict) else data if isinstance(data, list) else ()
+    return max((1 + _depth(entry) for entry in entries), default=0)
 
 
 def _copy(data: Any) -> Any:  # noqa: ANN401  # any plain data

@@ -135,7 +135,7 @@ def check_name(kind: Kind, name: str) -> None:
 
 def _is_of(kind: Kind, path: Path) -> bool:
     """Tell whether a file starts with its kind's key; files of several kinds may lie in one folder."""
-    if path.parent.as_posix().endswith(kind.folder):
+    if kind.lives_in(path.parent):
         return True
     with path.open("rb") as stream:
         head = stream.read(4096)

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pytest
 
 from certkit.definitions.library import load
+from certkit.definitions.shipped import shipped_root
 from certkit.errors import DefinitionError
 
+if TYPE_CHECKING:
+    from pathlib import Path
+
+LEGFORM = shipped_root() / "models" / "legforms" / "flex-pli-gtr.yaml"
 SOUND = """\
 procedure: mine
 title: My test
@@ -138,6 +143,14 @@ def test_a_broken_method_does_not_make_every_number_an_orphan(tmp_path: Path):
     assert found == ["mine.yaml:3:9: `document` is missing in `method`; add it"]
 
 
+def test_a_broken_origin_is_reported_once_and_not_at_every_number(tmp_path: Path):
+    text = LEGFORM.read_text(encoding="utf-8")
+    assert text.count("\n  confidence: ") == 1
+    found = said(tmp_path, text.replace("\n  confidence: ", "\n  confidence: very "), "legform")
+    assert len(found) == 1
+    assert "is not a choice; did you mean" in found[0]
+
+
 def test_the_same_fixtures_word_may_not_come_in_two_spellings(tmp_path: Path):
     found = said(
         tmp_path,
@@ -156,7 +169,7 @@ def test_problems_are_no_jargon(tmp_path: Path):
 
 
 def test_a_legform_has_its_four_ligaments(tmp_path: Path):
-    text = Path("models/legforms/flex-pli-gtr.yaml").read_text(encoding="utf-8")
+    text = LEGFORM.read_text(encoding="utf-8")
     assert "    LCL:" in text
     found = said(tmp_path, text.replace("    LCL:", "    LLC:"), "legform")
     assert [problem.partition(": ")[2] for problem in found] == [

@@ -143,6 +143,12 @@ def test_aliases_cannot_explode():
     assert "counting aliases with all they stand for" in problem
 
 
+def test_aliases_cannot_nest_without_limit():
+    lines = ["a0: &a0 [1]", *(f"a{i}: &a{i} [*a{i - 1}]" for i in range(1, 500))]
+    (problem,) = problems("\n".join(lines))
+    assert f"nested more than {MAX_DEPTH} levels deep" in problem
+
+
 @pytest.mark.parametrize("opening", ["[", "{a: ", "- "])
 def test_depth_is_limited(opening: str):
     (problem,) = problems("top: \n  " + opening * 100_000 if opening == "- " else "top: " + opening * 100_000)
