@@ -7,6 +7,7 @@ folder alone: whatever else a document might ask for is refused, so nothing is f
 from __future__ import annotations
 
 import os
+import warnings
 from dataclasses import dataclass
 from datetime import UTC, date, datetime, time
 from typing import TYPE_CHECKING, Any, Literal
@@ -125,9 +126,12 @@ def certificate(
     document = weasyprint.HTML(
         string=html, base_url=folder().as_uri() + "/", url_fetcher=_fetcher(weasyprint)
     )
-    pdf: bytes = document.write_pdf(
-        pdf_variant="pdf/a-3u", attachments=attached, finisher=_number_pages, custom_metadata=False
-    )
+    with warnings.catch_warnings():
+        # WeasyPrint leaves its colour profile's file to the garbage collector.
+        warnings.simplefilter("ignore", ResourceWarning)
+        pdf: bytes = document.write_pdf(
+            pdf_variant="pdf/a-3u", attachments=attached, finisher=_finish, custom_metadata=False
+        )
     return pdf
 
 
@@ -156,13 +160,15 @@ def _fetcher(weasyprint: Any) -> Any:  # noqa: ANN401  # likewise
     return OwnFilesOnly(allowed_protocols=("file", "data"))
 
 
-def _number_pages(document: Any, pdf: Any) -> None:  # noqa: ANN401  # likewise
-    """Label the pages 1, 2, 3 …, so that a viewer shows the numbers printed on them."""
+def _finish(document: Any, pdf: Any) -> None:  # noqa: ANN401  # likewise
+    """Label the pages 1, 2, 3 …, as printed, and name each attachment once: WeasyPrint 70 names it twice."""
     import pydyf  # noqa: PLC0415  # comes with WeasyPrint
 
     del document
     labels = pydyf.Dictionary({"Nums": pydyf.Array([0, pydyf.Dictionary({"S": "/D"})])})
     pdf.catalog["PageLabels"] = labels
+    if "AF" in pdf.catalog:
+        pdf.catalog["AF"] = pydyf.Array(dict.fromkeys(pdf.catalog["AF"]))
 
 
 def pdf_of_drawing(drawing: str, width: float, height: float) -> bytes:

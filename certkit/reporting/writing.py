@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from certkit.errors import UsageError
 from certkit.files import write_whole
+from certkit.grading.document import from_json, to_json
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Sequence
@@ -39,6 +40,14 @@ def checked(formats: Collection[str]) -> list[str]:
     return [name for name in ("csv", "junit", "md", "html", "pdf") if name in formats]
 
 
+def as_written(result: Result) -> Result:
+    """Return the result with the digits that its JSON keeps.
+
+    A report made in a run and one made later from `result.json` then have the same bytes.
+    """
+    return from_json(to_json(result))
+
+
 def render(result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4") -> list[Path]:
     """Write the reports of one result into a folder.
 
@@ -65,6 +74,7 @@ def render(result: Result, out: Path, formats: Collection[str], *, paper: Paper 
     RunError
         When the PDF's libraries are missing; all other formats are written by then.
     """
+    result = as_written(result)
     makers: dict[str, Callable[[], bytes | str | None]] = {
         "html": lambda: _page(result),
         "pdf": lambda: _pdf([result], paper, None),
@@ -87,6 +97,7 @@ def render_suite(
 
     The index page holds all reports, so it can be handed on as a single file.
     """
+    results = [as_written(result) for result in results]
     makers: dict[str, Callable[[], bytes | str | None]] = {
         "html": lambda: _suite_page(results, title),
         "pdf": lambda: _pdf(results, paper, title),

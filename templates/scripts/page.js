@@ -63,6 +63,16 @@ for (const report of document.querySelectorAll("[data-report]")) {
   shared.goTo(shared.time);
 }
 
+// A table that fits needs no tab stop; one that scrolls sideways does.
+const stops = () => {
+  for (const box of document.querySelectorAll(".scroll")) {
+    if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+    else box.removeAttribute("tabindex");
+  }
+};
+stops();
+addEventListener("resize", stops);
+
 const toggle = document.querySelector("[data-theme-toggle]");
 toggle.hidden = false;
 const dark = () => {

@@ -1,0 +1,49 @@
+"""Debian's Chromium through Playwright, on pages written to a folder and opened as files."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "reporting"))
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from playwright.sync_api import Browser
+
+CHROMIUM = Path("/usr/bin/chromium")
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """Start the browser once."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    if not CHROMIUM.exists():
+        pytest.skip(f"{CHROMIUM} is not installed")
+    with playwright.sync_playwright() as running:
+        chromium = running.chromium.launch(executable_path=str(CHROMIUM), args=["--no-sandbox"])
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture(scope="session")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Write the pages that all tests look at."""
+    import synthetic_result  # noqa: PLC0415  # its folder is on the path only now
+
+    from certkit.reporting.page import page, suite_page  # noqa: PLC0415  # likewise
+
+    place = tmp_path_factory.mktemp("pages")
+    results = {
+        "pendulum": synthetic_result.result(),
+        "static": synthetic_result.static_result(),
+        "measured": synthetic_result.laboratory_result(),
+    }
+    for name, result in results.items():
+        (place / f"{name}.html").write_text(page(result))
+    (place / "suite.html").write_text(suite_page(list(results.values())))
+    return place

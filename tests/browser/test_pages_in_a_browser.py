@@ -1,0 +1,182 @@
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    from playwright.sync_api import Browser, Page
+
+pytestmark = pytest.mark.browser
+
+PAGES = ["pendulum", "static", "measured", "suite"]
+
+
+class Watched:
+    """A page with what it said on its console and what it asked for."""
+
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.said: list[str] = []
+        self.asked: list[str] = []
+        page.on("console", lambda message: self.said.append(message.text))
+        page.on("pageerror", lambda error: self.said.append(str(error)))
+        page.on("request", lambda request: self.asked.append(request.url))
+
+
+def opened(browser: Browser, folder: Path, name: str, **context: Any) -> Watched:  # noqa: ANN401  # Playwright's options
+    options = {"viewport": {"width": 1280, "height": 900}} | context
+    watched = Watched(browser.new_context(**options).new_page())
+    watched.page.goto((folder / f"{name}.html").as_uri())
+    return watched
+
+
+@pytest.fixture
+def pendulum(browser: Browser, folder: Path) -> Iterator[Page]:
+    watched = opened(browser, folder, "pendulum")
+    yield watched.page
+    assert watched.said == []
+    watched.page.context.close()
+
+
+def scrub(page: Page, milliseconds: float) -> None:
+    slider = page.locator("[data-scrub]")
+    slider.evaluate("(s, v) => { s.value = v; s.dispatchEvent(new Event('input')); }", milliseconds)
+
+
+def shown(page: Page, gauge: str) -> float:
+    return float(page.locator(f'[data-gauge="{gauge}"]').inner_text().replace("−", "-"))
+
+
+@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_a_page_opens_from_a_file_in_silence(browser: Browser, folder: Path, name: str, scheme: str) -> None:
+    watched = opened(browser, folder, name, color_scheme=scheme)
+    watched.page.wait_for_timeout(100)
+    assert watched.said == []
+    assert [url for url in watched.asked if not url.startswith("data:")] == [
+        (folder / f"{name}.html").as_uri()
+    ]
+    watched.page.context.close()
+
+
+def test_play_moves_the_leg(pendulum: Page) -> None:
+    bone = pendulum.locator("[data-stage] path").last
+    before = bone.get_attribute("transform")
+    pendulum.get_by_role("button", name="Play").click()
+    pendulum.wait_for_function(
+        "b => document.querySelector('[data-stage] path:last-child').getAttribute('transform') !== b",
+        arg=before,
+    )
+    pendulum.get_by_role("button", name="Pause").click()
+    paused = bone.get_attribute("transform")
+    pendulum.wait_for_timeout(150)
+    assert bone.get_attribute("transform") == paused
+
+
+@pytest.mark.parametrize("sample", [0, 25, 57, 150, 499])
+def test_scrubbing_sets_the_gauges_to_the_values_of_the_document(pendulum: Page, sample: int) -> None:
+    import synthetic_result  # noqa: PLC0415  # its folder is on the path only in a session
+
+    curves = synthetic_result.result().curves
+    assert curves
+    # The slider ends with the motion, the curves go on: those are reached by a click on a curve.
+    time = min(curves.start + sample * curves.interval, 0.08)
+    scrub(pendulum, time * 1e3)
+    index = round(time / curves.interval)
+    for name, decimals in (("T1", 1), ("T4", 1), ("MCL", 2), ("contact force", 0)):
+        assert shown(pendulum, name) == pytest.approx(
+            curves.series[name].values[index], abs=0.51 * 10.0**-decimals
+        )
+
+
+def test_a_click_on_a_criterion_shows_its_curve_with_its_peak_marked(pendulum: Page) -> None:
+    pendulum.get_by_role("link", name="T1", exact=True).click()
+    figure = pendulum.locator("#pendulum-chart-T1")
+    assert figure.evaluate("f => f === document.activeElement")
+    assert "selected" in (figure.get_attribute("class") or "")
+    pendulum.wait_for_function(
+        "() => { const r = document.querySelector('#pendulum-chart-T1').getBoundingClientRect();"
+        "return r.top >= 0 && r.bottom <= innerHeight; }"
+    )
+    assert figure.locator(".peak").is_visible()
+    assert "253.4 N·m at 23.1 ms" in figure.inner_text()
+    assert shown(pendulum, "T1") == pytest.approx(253.4, abs=1.0)
+
+
+def test_a_drag_across_a_curve_zooms_all_curves(pendulum: Page) -> None:
+    box = pendulum.locator("#pendulum-chart-T2 svg").bounding_box()
+    assert box
+    before = pendulum.locator("#pendulum-chart-T1 .xticks").text_content()
+    pendulum.locator("#pendulum-chart-T2").scroll_into_view_if_needed()
+    box = pendulum.locator("#pendulum-chart-T2 svg").bounding_box()
+    assert box
+    y = box["y"] + box["height"] / 2
+    pendulum.mouse.move(box["x"] + box["width"] * 0.2, y)
+    pendulum.mouse.down()
+    pendulum.mouse.move(box["x"] + box["width"] * 0.4, y, steps=4)
+    pendulum.mouse.up()
+    assert pendulum.locator("#pendulum-chart-T1 .xticks").text_content() != before
+    pendulum.get_by_role("button", name="Whole test").click()
+    assert pendulum.locator("#pendulum-chart-T1 .xticks").text_content() == before
+
+
+def test_arrow_keys_on_a_curve_move_the_picture(pendulum: Page) -> None:
+    pendulum.locator("#pendulum-chart-T1").focus()
+    before = float(pendulum.locator("[data-time]").inner_text())
+    for _ in range(5):
+        pendulum.keyboard.press("ArrowRight")
+    assert float(pendulum.locator("[data-time]").inner_text()) > before
+
+
+def test_the_tab_key_reaches_everything_one_can_use(pendulum: Page) -> None:
+    wanted = pendulum.evaluate(
+        "() => { const usable = 'a[href], button, input, select, summary, [tabindex=\"0\"]';"
+        "const all = [...document.querySelectorAll(usable)]"
+        ".filter(e => e.checkVisibility()); all.forEach((e, i) => e.dataset.reach = i); return all.length; }"
+    )
+    reached = set()
+    for _ in range(wanted + 5):
+        pendulum.keyboard.press("Tab")
+        reached.add(pendulum.evaluate("() => document.activeElement.dataset.reach"))
+    assert {str(number) for number in range(wanted)} <= reached
+
+
+def test_the_colours_can_be_switched(pendulum: Page) -> None:
+    paper = "() => getComputedStyle(document.body).backgroundColor"
+    light = pendulum.evaluate(paper)
+    pendulum.get_by_role("button", name="Switch to dark colours").click()
+    assert pendulum.evaluate(paper) != light
+    pendulum.get_by_role("button", name="Switch to light colours").click()
+    assert pendulum.evaluate(paper) == light
+
+
+def test_without_scripts_the_key_frames_and_curves_are_there(browser: Browser, folder: Path) -> None:
+    page = opened(browser, folder, "pendulum", java_script_enabled=False).page
+    assert page.locator("[data-stills]").is_visible()
+    assert not page.locator("[data-player]").is_visible()
+    assert page.locator("#pendulum-chart-T1 svg").is_visible()
+    page.context.close()
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_phone_shows_the_page_without_scrolling_sideways(browser: Browser, folder: Path, name: str) -> None:
+    page = opened(browser, folder, name, viewport={"width": 390, "height": 844}).page
+    assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth")
+    page.context.close()
+
+
+@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_that_shuts_people_out(
+    browser: Browser, folder: Path, name: str, scheme: str
+) -> None:
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="axe is not installed")
+    page = opened(browser, folder, name, color_scheme=scheme, bypass_csp=True).page
+    page.evaluate("() => document.querySelectorAll('details').forEach(d => d.open = true)")
+    found = axe.Axe().run(page).response["violations"]
+    assert [(v["id"], v["nodes"][0]["html"][:120]) for v in found] == []
+    page.context.close()

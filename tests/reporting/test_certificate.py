@@ -1,0 +1,224 @@
+from __future__ import annotations
+
+import datetime as dt
+import hashlib
+import io
+import json
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Self
+
+import pikepdf
+import pytest
+import synthetic_result
+import weasyprint
+
+from certkit.errors import RunError, UsageError
+from certkit.grading.document import from_json
+from certkit.grading.result import Result
+from certkit.reporting import certificate as room
+from certkit.reporting import render
+from certkit.reporting.attachments import MANIFEST
+from certkit.reporting.certificate import certificate
+
+
+@pytest.fixture(scope="module")
+def made() -> bytes:
+    return certificate([synthetic_result.laboratory_result()])
+
+
+@pytest.fixture(scope="module")
+def pdf(made: bytes) -> Iterator[pikepdf.Pdf]:
+    with pikepdf.open(io.BytesIO(made)) as document:
+        yield document
+
+
+def attachments(pdf: pikepdf.Pdf) -> dict[str, bytes]:
+    return {name: spec.get_file().read_bytes() for name, spec in pdf.attachments.items()}
+
+
+def text_of(made: bytes, tmp_path: Path) -> str:
+    program = shutil.which("pdftotext")
+    if program is None:
+        pytest.skip("pdftotext (poppler-utils) is not installed")
+    path = tmp_path / "report.pdf"
+    path.write_bytes(made)
+    return subprocess.run([program, "-layout", path, "-"], check=True, capture_output=True, text=True).stdout
+
+
+def test_it_says_to_be_pdf_a_3u(pdf: pikepdf.Pdf):
+    with pdf.open_metadata() as metadata:
+        assert metadata["pdfaid:part"] == "3"
+        assert metadata["pdfaid:conformance"] == "U"
+
+
+def test_its_colours_have_an_output_intent(pdf: pikepdf.Pdf):
+    assert pdf.Root.OutputIntents[0].S == "/GTS_PDFA1"
+
+
+def test_every_font_is_embedded(pdf: pikepdf.Pdf):
+    fonts = [
+        descendant.FontDescriptor
+        for page in pdf.pages
+        for font in page.Resources.get("/Font", {}).values()
+        for descendant in font.DescendantFonts
+    ]
+    assert fonts
+    assert all("/FontFile2" in font or "/FontFile3" in font for font in fonts)
+
+
+def test_it_carries_result_definitions_and_channels(pdf: pikepdf.Pdf):
+    assert set(attachments(pdf)) == {
+        "result.json",
+        "procedure-pendulum.yaml",
+        "legform-flex-pli-gtr.yaml",
+        "corridors-r127-pendulum.yaml",
+        "reference-seed-table-1.yaml",
+        "channels.csv",
+        MANIFEST,
+    }
+
+
+def test_the_list_of_attachments_has_their_right_hashes(pdf: pikepdf.Pdf):
+    files = attachments(pdf)
+    listed = json.loads(files.pop(MANIFEST))["attachments"]
+    assert {entry["name"]: entry["sha256"] for entry in listed} == {
+        name: hashlib.sha256(content).hexdigest() for name, content in files.items()
+    }
+
+
+def test_every_attachment_says_how_it_relates_to_the_certificate(pdf: pikepdf.Pdf):
+    relations = {str(spec.obj.AFRelationship) for spec in pdf.attachments.values()}
+    assert relations == {"/Data", "/Source", "/Supplement"}
+    assert len(pdf.Root.AF) == len(pdf.attachments)
+
+
+def test_the_attached_result_renders_to_the_same_reports(tmp_path: Path):
+    render(synthetic_result.result(), tmp_path / "first", ["html", "pdf"])
+    with pikepdf.open(tmp_path / "first" / "report.pdf") as pdf:
+        attached = from_json(attachments(pdf)["result.json"])
+    render(attached, tmp_path / "again", ["html", "pdf"])
+    for name in ("report.html", "report.pdf"):
+        assert (tmp_path / "again" / name).read_bytes() == (tmp_path / "first" / name).read_bytes()
+
+
+def test_pages_are_labelled_as_they_are_numbered(pdf: pikepdf.Pdf):
+    assert [page.label for page in pdf.pages] == [str(n + 1) for n in range(len(pdf.pages))]
+
+
+def test_bookmarks_lead_to_the_title_and_its_sections(pdf: pikepdf.Pdf):
+    with pdf.open_outline() as outline:
+        assert outline.root[0].title == "Dynamic certification, pendulum test"
+        assert "Criteria" in [item.title for item in outline.root[0].children]
+
+
+def test_the_text_has_verdict_id_and_every_criterion(made: bytes, tmp_path: Path):
+    text = text_of(made, tmp_path)
+    assert "FAIL" in text or "fail" in text
+    assert "End of certificate CK-4444-5555-6666" in text
+    for criterion in synthetic_result.laboratory_result().criteria:
+        assert re.search(rf"\b{criterion.id}\b", text)
+
+
+def test_every_page_bears_the_id_and_its_number_of_the_total(made: bytes, tmp_path: Path):
+    pages = text_of(made, tmp_path).split("\f")[:-1]
+    for number, page in enumerate(pages, 1):
+        assert "Certificate CK-4444-5555-6666" in page
+        assert f"Page {number} of {len(pages)}" in page
+
+
+def test_the_laboratory_and_its_customer_are_named(made: bytes, tmp_path: Path):
+    text = text_of(made, tmp_path)
+    assert "Laboratory of Examples" in text
+    assert "Bumper & <Sons>" in text
+
+
+def test_repeating_gives_the_same_bytes(made: bytes):
+    assert certificate([synthetic_result.laboratory_result()]) == made
+
+
+def test_another_day_gives_the_same_bytes(monkeypatch: pytest.MonkeyPatch):
+    first = certificate([synthetic_result.static_result()])
+
+    class Tomorrow(dt.datetime):
+        @classmethod
+        def now(cls, tz: dt.tzinfo | None = None) -> Self:
+            return super().now(tz) + dt.timedelta(days=400)
+
+    monkeypatch.setattr(dt, "datetime", Tomorrow)
+    assert certificate([synthetic_result.static_result()]) == first
+
+
+def test_another_process_gives_the_same_bytes(tmp_path: Path):
+    code = (
+        "import sys; sys.path.insert(0, sys.argv[1]); import synthetic_result; from pathlib import Path;"
+        "from certkit.reporting.certificate import certificate;"
+        "Path(sys.argv[2]).write_bytes(certificate([synthetic_result.static_result()]))"
+    )
+    folder = synthetic_result.__file__.rsplit("/", 1)[0]
+    subprocess.run([sys.executable, "-c", code, folder, tmp_path / "x.pdf"], check=True)
+    assert (tmp_path / "x.pdf").read_bytes() == certificate([synthetic_result.static_result()])
+
+
+def test_source_date_epoch_becomes_the_date(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1700000000")
+    with pikepdf.open(io.BytesIO(certificate([synthetic_result.static_result()]))) as pdf:
+        assert str(pdf.docinfo.CreationDate).startswith("D:20231114")
+
+
+def test_the_day_of_issue_becomes_the_date(pdf: pikepdf.Pdf):
+    assert str(pdf.docinfo.CreationDate).startswith("D:20260305")
+
+
+def test_a_source_date_epoch_that_is_no_number_is_refused(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "yesterday")
+    with pytest.raises(UsageError, match="SOURCE_DATE_EPOCH is `yesterday`"):
+        certificate([synthetic_result.static_result()])
+
+
+def test_solver_time_leaves_no_trace():
+    slow = synthetic_result.document()
+    slow["quality"]["solver_seconds"] = 99.0
+    assert certificate([Result.model_validate(slow)]) == certificate([synthetic_result.result()])
+
+
+def test_a_suite_begins_with_its_contents(tmp_path: Path):
+    results = [synthetic_result.result(), synthetic_result.static_result()]
+    made = certificate(results, title="Certification suite", contents=True, paper="Letter")
+    pages = text_of(made, tmp_path).split("\f")
+    assert "Certification suite" in pages[0]
+    assert "CK-7F3A-91C2-04DE" in pages[0]
+    assert "CK-1111-2222-3333" in pages[0]
+    with pikepdf.open(io.BytesIO(made)) as pdf:
+        assert [float(v) for v in pdf.pages[0].MediaBox] == [0, 0, 612, 792]
+        assert {"pendulum-result.json", "static-femur-result.json"} <= set(pdf.attachments)
+
+
+def test_the_default_paper_is_a4(pdf: pikepdf.Pdf):
+    assert [round(float(v)) for v in pdf.pages[0].MediaBox] == [0, 0, 595, 842]
+
+
+def test_nothing_outside_the_fonts_folder_is_fetched():
+    fetcher = room._fetcher(weasyprint)
+    outside = (room.folder().parent / "pyproject.toml").as_uri()
+    climbing = (room.folder() / "fonts").as_uri() + "/../certificate.html.j2"
+    for address in ("https://example.org/x.png", outside, climbing, "data:text/html,x"):
+        with pytest.raises(ValueError, match="fetches nothing"):
+            fetcher.fetch(address)
+
+
+def test_without_pango_the_message_says_how_to_install_it(monkeypatch: pytest.MonkeyPatch):
+    real = __import__
+
+    def no_pango(name: str, *arguments: Any, **keywords: Any) -> Any:  # noqa: ANN401  # anything at all
+        if name == "weasyprint":
+            raise OSError("cannot load library 'libpango-1.0-0'")
+        return real(name, *arguments, **keywords)
+
+    monkeypatch.setattr("builtins.__import__", no_pango)
+    with pytest.raises(RunError, match="apt install libpango"):
+        certificate([synthetic_result.static_result()])

@@ -1,0 +1,120 @@
+from __future__ import annotations
+
+import csv
+import io
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import pytest
+import synthetic_result
+from synthetic_result import parsed
+
+from certkit.errors import UsageError
+from certkit.grading.result import Result
+from certkit.reporting import render, render_suite
+from certkit.reporting.junit import junit
+from certkit.reporting.machine import channels_csv
+from certkit.reporting.markdown import github_annotations, summary
+
+
+def cases(result: Result) -> dict[str | None, ET.Element]:
+    return {case.get("name"): case for case in parsed(junit([result])).iter("testcase")}
+
+
+def properties(case: ET.Element) -> dict[str | None, str | None]:
+    return {entry.get("name"): entry.get("value") for entry in case.iter("property")}
+
+
+def test_a_criterion_brings_its_numbers_as_properties(pendulum: Result):
+    found = properties(cases(pendulum)["T1"])
+    assert found["value"] == "253.4"
+    assert found["lower"] == "235"
+    assert found["upper"] == "272"
+    assert found["unit"] == "N·m"
+    assert found["confidence"] == "recalled"
+
+
+def test_verdicts_become_what_a_gate_understands(measured: Result):
+    found = cases(measured)
+    assert found["T1"].find("failure") is None
+    assert found["T4"].find("failure").get("type") == "fail"
+    assert found["MCL"].find("failure").get("type") == "conditional"
+    assert found["ACL"].find("error").get("type") == "not evaluated"
+    assert found["F1"].find("skipped") is not None
+    assert found["verdict"].find("failure") is not None
+
+
+def test_counts_agree_with_the_cases(measured: Result, pendulum: Result):
+    root = parsed(junit([measured, pendulum]))
+    for name, kind in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
+        assert int(root.get(name)) == len(root.findall(f".//{kind}"))
+    assert int(root.get("tests")) == len(root.findall(".//testcase"))
+
+
+def test_control_characters_do_not_spoil_the_xml():
+    parsed(junit([synthetic_result.result(remarks=["bell \x07 and < & >"])]))
+
+
+def test_channels_have_time_in_seconds_and_units_in_the_head(pendulum: Result):
+    rows = list(csv.reader(io.StringIO(channels_csv(pendulum))))
+    assert rows[0][0] == "time [s]"
+    assert "T1 [N·m]" in rows[0]
+    assert "MCL [mm]" in rows[0]
+    assert len(rows) == pendulum.channels.count + 1
+    column = rows[0].index("T1 [N·m]")
+    assert float(rows[101][0]) == pytest.approx(100 * pendulum.channels.interval)
+    assert float(rows[101][column]) == pytest.approx(pendulum.channels.series["T1"].values[100], rel=1e-6)
+
+
+def test_a_name_with_a_comma_stays_one_column():
+    document = synthetic_result.document()
+    document["channels"]["series"]['odd, "name"'] = document["channels"]["series"].pop("T1")
+    rows = list(csv.reader(io.StringIO(channels_csv(Result.model_validate(document)))))
+    assert 'odd, "name" [N·m]' in rows[0]
+    assert {len(row) for row in rows} == {len(rows[0])}
+
+
+def test_the_summary_shows_verdict_and_every_criterion(measured: Result):
+    text = summary([measured])
+    assert "✗ fail" in text
+    for criterion in measured.criteria:
+        assert criterion.title in text
+
+
+def test_a_bar_in_a_title_does_not_make_a_column():
+    text = summary([synthetic_result.result(title="a | b <b>", procedure="p|q")])
+    assert "a \\| b &lt;b>" in text
+
+
+def test_annotations_name_what_failed_and_escape_what_github_would_read(measured: Result):
+    lines = github_annotations([measured])
+    assert any(line.startswith("::error title=pendulum T4%3A fail::T4: 112.4") for line in lines)
+    assert any(line.startswith("::warning title=pendulum MCL") for line in lines)
+    assert any("ACL" in line and line.startswith("::error") for line in lines)
+    assert not any("\n" in line for line in lines)
+
+
+def test_a_pass_is_not_annotated(pendulum: Result):
+    assert github_annotations([pendulum]) == []
+
+
+def test_render_writes_the_files_of_the_contract(bending: Result, tmp_path: Path):
+    written = render(bending, tmp_path, ["html", "pdf", "junit", "csv", "md"])
+    names = {"report.html", "report.pdf", "junit.xml", "channels.csv", "summary.md"}
+    assert {path.name for path in written} == names
+    assert {path.name for path in tmp_path.iterdir()} == names
+
+
+def test_render_suite_writes_the_index_and_one_bound_pdf(bending: Result, pendulum: Result, tmp_path: Path):
+    written = render_suite([bending, pendulum], tmp_path, ["html", "pdf", "junit", "csv"])
+    assert {path.name for path in written} == {"index.html", "suite.pdf", "junit.xml"}
+
+
+def test_an_unknown_format_is_refused_before_anything_is_written(bending: Result, tmp_path: Path):
+    with pytest.raises(UsageError, match="unknown format `docx`"):
+        render(bending, tmp_path, ["html", "docx"])
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_result_without_raw_channels_has_no_channels_file(tmp_path: Path):
+    assert render(synthetic_result.result(channels=None), tmp_path, ["csv"]) == []

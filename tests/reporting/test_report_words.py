@@ -1,0 +1,63 @@
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from certkit.grading.result import CriterionResult, Result
+from certkit.reporting import words
+from certkit.reporting.worst import margin_words, nearest_words, relative_margin, tally, worst
+
+
+def criterion(**changes: object) -> CriterionResult:
+    base = {"id": "T1", "title": "Tibia moment 1", "value": 271.0, "unit": "N·m", "lower": 235.0}
+    base |= {"upper": 272.0, "margin": 1.0, "verdict": "pass"}
+    return CriterionResult.model_validate(base | changes)
+
+
+def test_minus_is_a_minus_sign_and_zero_has_none():
+    assert words.fixed(-1.25, 1) == "−1.2"
+    assert words.fixed(-0.001, 1) == "0.0"
+
+
+@pytest.mark.parametrize("value", [None, math.nan, math.inf])
+def test_what_is_no_number_is_a_dash(value: float | None):
+    assert words.fixed(value, 1) == "–"
+
+
+@given(excess=st.floats(1e-5, 10))
+def test_a_value_beyond_its_limit_is_never_rounded_onto_it(excess: float):
+    row = criterion(value=272.0 + excess, margin=-excess, verdict="fail")
+    decimals = words.criterion_decimals(row)
+    assert words.fixed(row.value, decimals) != words.fixed(row.upper, decimals)
+
+
+def test_corridors_are_worded_by_their_sides():
+    assert words.corridor(235.0, 272.0) == "235 – 272"
+    assert words.corridor(None, 22.0) == "≤ 22"
+    assert words.corridor(400.0, None) == "≥ 400"
+    assert words.corridor(None, None) == "–"
+
+
+def test_a_name_is_not_said_twice():
+    assert words.named("MCL", "MCL elongation") == "MCL elongation"
+    assert words.named("T1", "tibia moment 1") == "T1 tibia moment 1"
+
+
+def test_the_margin_is_rated_by_half_the_corridor():
+    assert relative_margin(criterion(margin=9.25)) == pytest.approx(0.5)
+    assert relative_margin(criterion(lower=None, margin=27.2)) == pytest.approx(0.1)
+    assert relative_margin(criterion(margin=None)) is None
+
+
+def test_the_nearest_criterion_is_the_one_with_the_smallest_rated_margin(pendulum: Result, measured: Result):
+    assert worst(pendulum).id == "T4"
+    assert "22 % of the half-width" in margin_words(worst(pendulum))
+    assert nearest_words(worst(pendulum)).startswith("Nearest to a limit: T4")
+    assert nearest_words(worst(measured)).startswith("Furthest outside: T4")
+
+
+def test_the_tally_counts_what_is_missing(measured: Result):
+    assert tally(measured).startswith("4 of 7 graded criteria within corridor; 1 fail; 1 conditional; 1 not")

@@ -1,0 +1,64 @@
+from __future__ import annotations
+
+import io
+
+import pytest
+
+from certkit.grading.result import CriterionResult, Result
+from certkit.reporting.terminal import bar, show
+
+
+def row(value: float, lower: float | None = 90.0, upper: float | None = 111.0) -> CriterionResult:
+    margins = ([value - lower] if lower is not None else []) + ([upper - value] if upper is not None else [])
+    margin = min(margins)
+    verdict = "pass" if margin >= 0 else "fail"
+    return CriterionResult(
+        id="T4", title="", value=value, unit="N·m", lower=lower, upper=upper, margin=margin, verdict=verdict
+    )
+
+
+@pytest.mark.parametrize("value", [90.0, 90.01, 100.0, 110.99, 111.0])
+def test_a_value_inside_is_drawn_on_or_between_the_limits(value: float):
+    drawn = bar(row(value))
+    assert 4 <= drawn.index("●") <= 12
+
+
+@pytest.mark.parametrize("value", [111.0001, 112.0, 1e9])
+def test_a_value_above_is_drawn_beyond_the_upper_limit(value: float):
+    drawn = bar(row(value))
+    assert drawn.index("┤") < drawn.index("●")
+
+
+@pytest.mark.parametrize("value", [89.9999, 80.0, -1e9])
+def test_a_value_below_is_drawn_before_the_lower_limit(value: float):
+    drawn = bar(row(value))
+    assert drawn.index("●") < drawn.index("├")
+
+
+def test_one_sided_limits_are_drawn_too():
+    assert bar(row(100.0, lower=None)).index("●") < bar(row(100.0, lower=None)).index("┤")
+    assert bar(row(150.0, upper=None)).index("├") < bar(row(150.0, upper=None)).index("●")
+
+
+def test_a_pipe_gets_plain_lines_with_verdict_and_criteria(measured: Result):
+    stream = io.StringIO()
+    show([measured], stream)
+    text = stream.getvalue()
+    assert "\x1b" not in text
+    assert "✗ FAIL" in text
+    assert "channel ACL was not recorded" in text
+    for criterion in measured.criteria:
+        assert criterion.id in text
+
+
+def test_several_procedures_end_with_one_line_each(measured: Result, pendulum: Result):
+    stream = io.StringIO()
+    show([pendulum, measured], stream)
+    assert stream.getvalue().splitlines()[-1].startswith("✗ fail")
+    assert stream.getvalue().splitlines()[-2].startswith("✓ pass")
+
+
+def test_brackets_in_data_are_text(pendulum: Result):
+    stream = io.StringIO()
+    show([pendulum.model_copy(update={"title": "[red]odd[/red] [link]"})], stream)
+    assert "[red]odd[/red] [link]" in stream.getvalue()
