@@ -90,7 +90,7 @@ def run_setup(setup: Setup, *, refine: bool = True) -> Result:
 def _simulate(setup: Setup, *, time_step: float | None = None, iterations: int | None = None) -> Simulation:
     from certkit.mechanics import simulate  # noqa: PLC0415  # a measured test is graded without the solver
 
-    return simulate(setup.procedure, setup.legform, time_step=time_step, iterations=iterations)
+    return simulate(setup.procedure, setup.legform, vehicle=setup.vehicle, time_step=time_step, iterations=iterations)
 
 
 def _refine(setup: Setup, reported: Simulation) -> Refinement:

@@ -54,11 +54,24 @@ def _walk(given: object, path: str) -> Iterator[Parameter]:
     elif isinstance(given, dict):
         for key, entry in given.items():
             yield from _walk(entry, _join(path, str(key)))
+    elif curve := _curve(given):
+        first, last = curve[0], curve[-1]
+        ends = " to ".join(f"({', '.join(n.text for n in point)})" for point in (first, last))
+        yield Parameter(path, f"{len(curve)} points from {ends}", first[0].source, first[0].confidence)
     elif isinstance(given, (list, tuple)):
         for index, entry in enumerate(given, 1):
             yield from _walk(
                 entry, _join(path, str(getattr(entry, "id", None) or getattr(entry, "quantity", index)))
             )
+
+
+def _curve(given: object) -> list[tuple[Number, ...]]:
+    """Return the points of a curve, which is one parameter, not two a point; empty for anything else."""
+    if not isinstance(given, list) or not given:
+        return []
+    points = [entry for entry in given if isinstance(entry, tuple) and entry]
+    whole = len(points) == len(given) and all(isinstance(n, Number) for point in points for n in point)
+    return points if whole else []
 
 
 def _join(path: str, key: str) -> str:

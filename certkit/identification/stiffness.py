@@ -14,6 +14,8 @@ import numpy as np
 from certkit.identification.law import Branch, SpringLaw
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     Values = NDArray[np.float64]
@@ -27,7 +29,8 @@ BEYOND = 0.5
 """A loading curve is continued by this share of its range, with the mean slope of its last fifth: one knot's slope is noise."""
 
 SIMPLIFY = 0.002
-"""Points of the loading curve may be left out as long as the curve moves by less than this share of its peak."""
+"""Points of the loading curve may be left out as long as the curve moves by less than this share of its peak, and a twentieth
+of the law's misfit more: points that describe noise are worth nothing."""
 
 VIRGIN = 0.003
 """A shortening within this share of the range below its largest value so far still counts as loading."""
@@ -83,15 +86,15 @@ def fit_law(x: Values, v: Values, force: Values, *, tension: bool) -> Fit | None
     if fit.misfit > ROUGH:
         problem.knots = ROUGH_KNOTS
         fit = _fitted(problem)
-    return replace(fit, law=_continued(_simplified(fit.law)))
+    return replace(fit, law=_continued(_simplified(fit.law, SIMPLIFY + 5e-4 * fit.misfit)))
 
 
 def _fitted(problem: _Problem) -> Fit:
     if not problem.unloads:
         law = problem.law(Branch(4.0 * problem.secant), 0.0)
         return Fit(law, problem.misfit(law), unloaded=False)
-    bare = problem.best(damped=False)
-    damped = problem.best(damped=True)
+    bare = problem.best(STARTS)
+    damped = problem.best(((bare.branch.stiffness / problem.secant, bare.branch.residual, bare.branch.permanent_set, 0.1),))
     keep = problem.misfit(damped) < DAMPER_GAIN * problem.misfit(bare)
     law = damped if keep else bare
     return Fit(law, problem.misfit(law), unloaded=True)
@@ -148,10 +151,11 @@ class _Problem:
         acting = (np.abs(self.force) > 0.01 * self.peak) | (np.abs(model) > 0.01 * self.peak)
         return float(100 * np.sqrt(np.mean((model - self.force)[acting] ** 2)) / self.peak)
 
-    def best(self, *, damped: bool) -> SpringLaw:
-        """Search branch (and damper) from several starts by least squares."""
+    def best(self, starts: Sequence[tuple[float, ...]]) -> SpringLaw:
+        """Search the branch, and the damper where the starts have a fourth value, by least squares from each start."""
         from scipy.optimize import least_squares  # noqa: PLC0415  # 0.9 s, only here
 
+        damped = len(starts[0]) > 3
         fastest = float(np.max(np.abs(self.v))) or 1.0
         most = 0.5 * self.peak / fastest
 
@@ -162,13 +166,12 @@ class _Problem:
         def residuals(p: Values) -> Values:
             return (law_of(p).total_force(self.x, self.v) - self.force) / self.peak
 
-        lower, upper = [0.0, 0.0, 0.0], [np.log(200.0), 0.95, 0.95]
+        lower = np.array([0.0, 0.0, 0.0, 0.0])[: len(starts[0])]
+        upper = np.array([np.log(200.0), 0.95, 0.95, 1.0])[: len(starts[0])]
         found = []
-        for ratio, residual, rest in STARTS:
-            start = [np.log(ratio), residual, rest, *([0.1] if damped else [])]
-            bounds = ([*lower, 0.0], [*upper, 1.0]) if damped else (lower, upper)
-            start = list(np.clip(start, np.array(bounds[0]) + 1e-3, np.array(bounds[1]) - 1e-3))
-            fit = least_squares(residuals, start, bounds=bounds, diff_step=1e-3, max_nfev=40)
+        for ratio, *others in starts:
+            start = np.clip([np.log(ratio), *others], lower + 1e-3, upper - 1e-3)
+            fit = least_squares(residuals, start, bounds=(lower, upper), diff_step=[1e-3] * len(start), ftol=1e-5, max_nfev=40)
             found.append((float(fit.cost), tuple(fit.x)))
         return law_of(np.array(min(found)[1]))
 
@@ -233,10 +236,10 @@ def _continued(law: SpringLaw) -> SpringLaw:
     return replace(law, shortening=tuple(x), force=tuple(f))
 
 
-def _simplified(law: SpringLaw) -> SpringLaw:
+def _simplified(law: SpringLaw, share: float) -> SpringLaw:
     """Leave out points of the loading curve that a straight line between their neighbours replaces."""
     x, f = np.array(law.shortening), np.array(law.force)
-    tolerance = SIMPLIFY * float(np.max(np.abs(f)))
+    tolerance = share * float(np.max(np.abs(f)))
     keep = {0, len(x) - 1, int(np.argmin(np.abs(x)))}
     edge = sorted(keep)
     spans = list(zip(edge[:-1], edge[1:], strict=True))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from hashlib import sha256
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
@@ -33,13 +34,14 @@ def vehicle_text(result: ExtractionResult) -> str:
         raise DataError(
             "no group has a face (low, high, position): the leg would hit nothing; add faces to the case"
         )
-    hashes = ", ".join(f"{name} {digest[:_HASH_DIGITS]}" for name, digest in result.inputs.items())
+    together = sha256("".join(f"{name} {digest}\n" for name, digest in sorted(result.inputs.items())).encode()).hexdigest()
+    files = [f"input {name}: SHA-256 {digest}" for name, digest in sorted(result.inputs.items())]
     lines = [
         f"# Written by certkit extract from the case {result.case}; do not edit, extract again.",
         f"vehicle: {result.vehicle or result.case}",
         f"title: {_quoted(result.title)}",
         "origin:",
-        f"  source: {_quoted(f'extracted from the case {result.case} (SHA-256 {hashes})')}",
+        f"  source: {_quoted(f'extracted from the case {result.case} (inputs, SHA-256 {together[:_HASH_DIGITS]})')}",
         "  confidence: derived",
         "groups:",
     ]
@@ -53,7 +55,7 @@ def vehicle_text(result: ExtractionResult) -> str:
         if path.source in known and target in known:
             lines += _connection(path, target, path.law)
     lines.append("notes:")
-    lines += [f"  - {_quoted(note)}" for note in (*result.warnings, *result.notes)] or ["  []"]
+    lines += [f"  - {_quoted(note)}" for note in (*result.warnings, *result.notes, *files)] or ["  []"]
     return "\n".join(lines) + "\n"
 
 
