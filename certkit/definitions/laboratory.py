@@ -95,7 +95,7 @@ class Laboratory(Document):
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        faults = [
+        faults: list[Fault] = [
             (
                 ("sensors", index, "channel"),
                 f"no channel is called `{sensor.channel}`; {_hint(sensor.channel)}",

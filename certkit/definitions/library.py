@@ -24,10 +24,14 @@ from certkit.definitions.words import ENDINGS
 from certkit.errors import DefinitionError, UsageError
 
 if TYPE_CHECKING:
+    from certkit.definitions.case import Case
     from certkit.definitions.corridor import CorridorSet
+    from certkit.definitions.family import Family
+    from certkit.definitions.fit import Fit
     from certkit.definitions.legform import Legform
     from certkit.definitions.procedure import Procedure
     from certkit.definitions.reference import Reference
+    from certkit.definitions.study import Study
     from certkit.definitions.vehicle import Vehicle
 
 D_co = TypeVar("D_co", bound=BaseModel, covariant=True)
@@ -83,6 +87,22 @@ def load(
 def load(
     kind: Literal["reference"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
 ) -> Loaded[Reference]: ...
+@overload
+def load(
+    kind: Literal["family"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Family]: ...
+@overload
+def load(
+    kind: Literal["case"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Case]: ...
+@overload
+def load(
+    kind: Literal["study"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Study]: ...
+@overload
+def load(
+    kind: Literal["fit"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Fit]: ...
 @overload
 def load(
     kind: str, name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
