@@ -50,6 +50,8 @@ UNITS: MappingProxyType[str, MappingProxyType[str, float]] = MappingProxyType(
 # Other spellings of the same signs, brought to the ones of the table.
 _SPELLINGS = ((" * ", "·"), ("*", "·"), ("⋅", "·"), ("^2", "²"), ("μ", "µ"), ("Nmm", "N·mm"), ("Nm", "N·m"))
 
+LONGEST = 60  # letters of a user's text that a message repeats
+
 _NUMBER = re.compile(r"^\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
 
 
@@ -82,37 +84,43 @@ def parse_quantity(text: object, dimension: str) -> float:
         When it is no finite number, or has no unit of the dimension; says which units would do.
     """
     units = UNITS[dimension]
+    read = _number_and_unit(text)
+    if read is not None and read[1] in units:
+        value = read[0] * units[read[1]]
+        if dimension == "temperature" and read[1] in {"degC", "°C"}:
+            value += 273.15
+        if math.isfinite(value):
+            return value
+        raise ValueError(f"`{_short(text)}` is not a finite number")
     allowed = ", ".join(u for u in units if u) or "no unit"
     if isinstance(text, bool) or not isinstance(text, (str, int, float)):
         example = f"1 {next(iter(units))}".strip()
-        raise ValueError(  # noqa: TRY004  # pydantic gathers ValueErrors
-            f"expected a {dimension} such as `{example}`, not {text!r}"
-        )
+        raise ValueError(f"expected a {dimension} such as `{example}`, not `{_short(text)}`")
+    if read is None:
+        raise ValueError(f"`{_short(text)}` is not a number with a unit; write a {dimension} in {allowed}")
+    found = f"the unit `{_short(read[1])}`" if read[1] else "no unit"
+    raise ValueError(f"`{_short(text)}` has {found}; a {dimension} is written in {allowed}")
+
+
+def _number_and_unit(text: object) -> tuple[float, str] | None:
+    """Cut `25 mm` into 25.0 and `mm`; None when it is neither a number nor a text that begins with one."""
+    if isinstance(text, bool) or not isinstance(text, (str, int, float)):
+        return None
     match = _NUMBER.match(str(text))
-    if match is None:
-        raise ValueError(f"`{text}` is not a number with a unit; write a {dimension} in {allowed}")
-    number, unit = float(match.group(1)), _canonical(match.group(2))
-    if unit not in units:
-        found = f"the unit `{unit}`" if unit else "no unit"
-        raise ValueError(f"`{text}` has {found}; a {dimension} is written in {allowed}")
-    value = number * units[unit]
-    if dimension == "temperature" and unit in {"degC", "°C"}:
-        value += 273.15
-    if not math.isfinite(value):
-        raise ValueError(f"`{text}` is not a finite number")
-    return value
+    return None if match is None else (float(match.group(1)), _canonical(match.group(2)))
+
+
+def _short(text: object) -> str:
+    said = str(text)
+    return said if len(said) <= LONGEST else f"{said[:LONGEST]}…"
 
 
 def dimensions(text: object) -> list[str]:
     """Return what a text can be a quantity of: `25 mm` of length, `3 g` of mass or acceleration."""
-    found = []
-    for dimension in UNITS:
-        try:
-            parse_quantity(text, dimension)
-        except ValueError:
-            continue
-        found.append(dimension)
-    return found
+    read = _number_and_unit(text)
+    if read is None or not math.isfinite(read[0]):
+        return []
+    return [dimension for dimension, units in UNITS.items() if read[1] in units]
 
 
 def alike(texts: Sequence[str]) -> tuple[list[float], list[tuple[int, str]]]:

@@ -100,6 +100,12 @@ def test_a_text_may_be_a_quantity_of_several_dimensions():
     assert dimensions("3 apples") == []
 
 
+def test_a_message_repeats_no_more_than_the_beginning_of_a_long_text():
+    with pytest.raises(ValueError, match="…") as caught:
+        parse_quantity("x" * 10_000, "length")
+    assert len(str(caught.value)) < 200
+
+
 def test_quantities_of_one_kind_are_read_in_one_unit():
     assert alike(["235 N·m", "0.272 kN·m"]) == ([235.0, 272.0], [])
 
