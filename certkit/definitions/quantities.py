@@ -95,11 +95,13 @@ def parse_quantity(text: object, dimension: str) -> float:
     allowed = ", ".join(u for u in units if u) or "no unit"
     if isinstance(text, bool) or not isinstance(text, (str, int, float)):
         example = f"1 {next(iter(units))}".strip()
-        raise ValueError(f"expected a {dimension} such as `{example}`, not `{_short(text)}`")
-    if read is None:
-        raise ValueError(f"`{_short(text)}` is not a number with a unit; write a {dimension} in {allowed}")
-    found = f"the unit `{_short(read[1])}`" if read[1] else "no unit"
-    raise ValueError(f"`{_short(text)}` has {found}; a {dimension} is written in {allowed}")
+        message = f"expected a {dimension} such as `{example}`, not `{_short(text)}`"
+    elif read is None:
+        message = f"`{_short(text)}` is not a number with a unit; write a {dimension} in {allowed}"
+    else:
+        found = f"the unit `{_short(read[1])}`" if read[1] else "no unit"
+        message = f"`{_short(text)}` has {found}; a {dimension} is written in {allowed}"
+    raise ValueError(message)
 
 
 def _number_and_unit(text: object) -> tuple[float, str] | None:
