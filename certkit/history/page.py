@@ -22,7 +22,10 @@ WIDTH, HEIGHT = 360.0, 190.0
 def logbook_page(legs: Sequence[LegOverview]) -> str:
     """Return one page with a section for each legform."""
     title = f"Logbook of legform {legs[0].serial}" if len(legs) == 1 else f"Logbook of {len(legs)} legforms"
-    shown = [(leg, [(trend, control_chart(trend)) for trend in leg.trends]) for leg in legs]
+    shown = [
+        (leg, [(trend, control_chart(trend) if trend.count > 1 else "") for trend in leg.trends])
+        for leg in legs
+    ]
     return sheet("logbook.html.j2", title, legs=shown)
 
 

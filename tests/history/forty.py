@@ -45,7 +45,7 @@ def document(
 
 
 def forty() -> list[Result]:
-    """Per leg 5 certifications, then 9 vehicle tests with 6 pendulums between; A-1 drifts up, B-2 does not."""
+    """Per leg 5 certifications, then 9 vehicle tests among 6 pendulums; A-1 drifts up, B-2 does not."""
     results = []
     for serial, drift in (("A-1", 2.0), ("B-2", 0.0)):
         number = 1

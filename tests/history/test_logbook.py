@@ -1,0 +1,216 @@
+"""The logbook: counts, due dates, trends, and an index that is nothing but an index."""
+
+from __future__ import annotations
+
+import json
+import statistics
+from datetime import date, timedelta
+from typing import TYPE_CHECKING
+
+import pytest
+from forty import BEGIN, document, forty
+
+from certkit.definitions.logbook import LogbookRules
+from certkit.errors import DataError, UsageError
+from certkit.grading import write_result
+from certkit.history import Logbook, add, overview, rebuild
+from certkit.history.document import overview_json
+from certkit.history.page import logbook_page
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from certkit.grading.result import Result
+
+
+def kept(folder: Path, results: list[Result]) -> Logbook:
+    paths = []
+    for place, result in enumerate(results):
+        paths.append(folder / "in" / f"{place}.json")
+        write_result(result, paths[-1])
+    logbook = Logbook(folder / "book")
+    add(logbook, paths)
+    return logbook
+
+
+@pytest.fixture
+def logbook(tmp_path: Path) -> Logbook:
+    return kept(tmp_path, forty())
+
+
+def test_forty_tests_of_two_legforms_are_counted(logbook: Logbook):
+    assert logbook.serials() == ["A-1", "B-2"]
+    for serial in logbook.serials():
+        leg = overview(logbook, serial)
+        assert len(leg.tests) == 20
+        assert leg.counts == {
+            "inverse": 1,
+            "pendulum": 7,
+            "static-femur": 1,
+            "static-knee": 1,
+            "static-tibia": 1,
+            "vehicle": 9,
+        }
+
+
+def test_due_dates_follow_the_last_certification(logbook: Logbook):
+    leg = overview(logbook, "A-1")
+    due = {line.title: line.due for line in leg.validity if line.rule == "interval"}
+    assert set(due.values()) == {(BEGIN + timedelta(days=365)).isoformat()}
+    on_the_day = overview(logbook, "A-1", day=BEGIN + timedelta(days=365))
+    assert on_the_day.state == "valid"
+    assert overview(logbook, "A-1", day=BEGIN + timedelta(days=366)).state == "due"
+
+
+def test_impacts_are_counted_from_the_last_passed_pendulum(tmp_path: Path):
+    results = [document("C", BEGIN, 1, "pendulum", 250.0)]
+    results += [
+        document("C", BEGIN + timedelta(days=n), n, "vehicle", 300.0, upper=340.0) for n in range(1, 11)
+    ]
+    leg = overview(kept(tmp_path, results), "C")
+    impacts = next(line for line in leg.validity if line.rule == "count")
+    assert (impacts.used, impacts.left, impacts.state) == (10, 0, "due")
+    failed = [*results, document("C", BEGIN + timedelta(days=20), 20, "pendulum", 200.0)]
+    leg = overview(kept(tmp_path / "failed", failed), "C")
+    assert next(line for line in leg.validity if line.rule == "count").state == "due"
+    passed = [*failed, document("C", BEGIN + timedelta(days=21), 21, "pendulum", 250.0)]
+    leg = overview(kept(tmp_path / "passed", passed), "C")
+    assert next(line for line in leg.validity if line.rule == "count").left == 10
+
+
+def test_tests_of_one_day_follow_each_other_by_number(tmp_path: Path):
+    results = [
+        document("C", BEGIN, 10, "pendulum", 250.0),
+        document("C", BEGIN, 9, "vehicle", 300.0, upper=340.0),
+    ]
+    leg = overview(kept(tmp_path, results), "C")
+    assert [line.number for line in leg.tests] == ["2025-9", "2025-10"]
+    assert next(line for line in leg.validity if line.rule == "count").used == 0
+
+
+def test_a_reading_far_over_its_limit_ends_the_certification(tmp_path: Path):
+    results = [
+        document("C", BEGIN, 1, "pendulum", 250.0),
+        document("C", BEGIN, 2, "inverse", 250.0),
+        document("C", BEGIN + timedelta(days=1), 3, "vehicle", 340.0 * 1.09, upper=340.0),
+    ]
+    overload = overview(kept(tmp_path, results), "C").validity[-1]
+    assert overload.state == "valid"
+    results.append(document("C", BEGIN + timedelta(days=2), 4, "vehicle", 340.0 * 1.11, upper=340.0))
+    overload = overview(kept(tmp_path / "over", results), "C").validity[-1]
+    assert overload.state == "due"
+    assert "T1 read 377.4 N·m on 2025-01-08 (vehicle), 11% over 340" in overload.why
+
+
+def test_a_leg_that_never_passed_was_never_certified(tmp_path: Path):
+    leg = overview(kept(tmp_path, [document("C", BEGIN, 1, "pendulum", 200.0)]), "C")
+    assert leg.state == "never certified"
+    assert "pendulum never passed" in leg.validity[0].why
+
+
+def test_scatter_is_that_of_the_values(logbook: Logbook):
+    trend = next(t for t in overview(logbook, "B-2").trends if t.procedure == "pendulum")
+    values = [250.0] + [250.0 + (0.1 if n % 2 else -0.1) for n in range(1, 7)]
+    assert trend.values == pytest.approx(values)
+    assert trend.mean == pytest.approx(statistics.fmean(values))
+    assert trend.variation_percent == pytest.approx(100 * statistics.stdev(values) / statistics.fmean(values))
+    assert trend.leaves is None
+    assert trend.remark == "no drift"
+
+
+def test_a_drift_is_followed_to_the_edge_of_the_corridor(tmp_path: Path):
+    # 250 N·m and 1 N·m more every 30 days reaches 272 N·m after 660 days.
+    results = [document("C", BEGIN + timedelta(days=30 * n), n, "pendulum", 250.0 + n) for n in range(6)]
+    trend = overview(kept(tmp_path, results), "C").trends[0]
+    assert trend.drifts
+    assert trend.slope_per_year == pytest.approx(365.25 / 30)
+    assert trend.leaves is not None
+    assert abs((date.fromisoformat(trend.leaves) - BEGIN).days - 660) <= 1
+
+
+def test_a_jump_is_outside_the_control_limits(tmp_path: Path):
+    values = [250.0, 250.5, 249.8, 250.2, 249.9, 250.1, 249.7, 250.3, 258.0]
+    results = [document("C", BEGIN + timedelta(days=n), n, "pendulum", v) for n, v in enumerate(values)]
+    assert overview(kept(tmp_path, results), "C").trends[0].outside_control == [9]
+
+
+def test_vehicle_tests_have_no_trend(logbook: Logbook):
+    assert "vehicle" not in {trend.procedure for trend in overview(logbook, "A-1").trends}
+
+
+def test_the_page_is_the_same_after_the_database_was_deleted_and_made_again(logbook: Logbook):
+    before = logbook_page([overview(logbook, serial) for serial in logbook.serials()])
+    logbook.index.unlink()
+    assert rebuild(logbook) == 40
+    assert logbook_page([overview(logbook, serial) for serial in logbook.serials()]) == before
+    logbook.index.write_bytes(b"no database at all")
+    with pytest.raises(DataError, match="rebuild"):
+        logbook.serials()
+
+
+def test_a_missing_database_makes_itself(logbook: Logbook):
+    before = overview_json([overview(logbook, "A-1")])
+    logbook.index.unlink()
+    assert overview_json([overview(logbook, "A-1")]) == before
+
+
+def test_the_same_test_is_kept_once(logbook: Logbook, tmp_path: Path):
+    new, known = add(logbook, [tmp_path / "in" / "3.json"])
+    assert (len(new), len(known)) == (0, 1)
+    assert len(overview(logbook, "A-1").tests) == 20
+
+
+def test_a_changed_document_is_refused_and_nothing_is_kept(logbook: Logbook, tmp_path: Path):
+    good, changed = tmp_path / "good.json", tmp_path / "changed.json"
+    write_result(document("A-1", date(2025, 6, 1), 99, "pendulum", 251.0), good)
+    changed.write_text((tmp_path / "in" / "3.json").read_text().replace('"value":250.0', '"value":251.0'))
+    with pytest.raises(DataError, match="was changed"):
+        add(logbook, [good, changed])
+    assert len(overview(logbook, "A-1").tests) == 20
+
+
+def test_a_document_without_a_laboratory_is_refused(tmp_path: Path):
+    result = document("A", BEGIN, 1, "pendulum", 250.0)
+    path = tmp_path / "result.json"
+    bare = result.model_copy(update={"laboratory": None, "id": ""})
+    from certkit.grading.identity import with_id  # noqa: PLC0415  # only here
+
+    write_result(with_id(bare), path)
+    with pytest.raises(DataError, match="no serial number"):
+        add(Logbook(tmp_path / "book"), [path])
+    assert not (tmp_path / "book").exists()
+
+
+def test_a_serial_cannot_lead_out_of_the_logbook(tmp_path: Path):
+    logbook = kept(tmp_path, [document("../../etc/x'; DROP TABLE tests;--", BEGIN, 1, "pendulum", 250.0)])
+    files = [path.name for path in (logbook.folder / "results").iterdir()]
+    assert len(files) == 1
+    assert "/" not in files[0]
+    assert overview(logbook, logbook.serials()[0]).counts == {"pendulum": 1}
+
+
+def test_an_unknown_serial_names_those_there_are(logbook: Logbook):
+    with pytest.raises(UsageError, match="it has A-1, B-2"):
+        overview(logbook, "Z")
+
+
+def test_a_laboratory_has_its_own_rules(logbook: Logbook):
+    rules = LogbookRules.model_validate(
+        {
+            "logbook": "ours",
+            "title": "ours",
+            "rules": [
+                {
+                    "rule": "interval",
+                    "title": "monthly",
+                    "certified by": ["pendulum"],
+                    "every": "30 d",
+                    "source": "our quality manual",
+                    "confidence": "verified",
+                }
+            ],
+        }
+    )
+    leg = overview(logbook, "A-1", rules=rules)
+    assert [line.title for line in leg.validity] == ["monthly"]
+    assert json.loads(overview_json([leg]))[0]["validity"][0]["due"] == "2025-05-21"
