@@ -1,0 +1,1 @@
+"""What makes the documentation's generated pages and pictures: `python -m docs.make`."""

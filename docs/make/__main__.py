@@ -1,0 +1,24 @@
+"""`python -m docs.make`: make the generated pages and pictures of the documentation again."""
+
+from __future__ import annotations
+
+import typer
+
+app = typer.Typer(no_args_is_help=True, help="Make the generated parts of the documentation again.")
+
+
+@app.callback()
+def _parts() -> None:
+    """Let each part be made by its own word."""
+
+
+@app.command("reference")
+def reference() -> None:
+    """Write commands.md, definitions.md and result.md from the code."""
+    from docs.make.reference import write_reference  # noqa: PLC0415  # each command pays for its own imports
+
+    for path in write_reference():
+        typer.echo(f"wrote {path}")
+
+
+app()
