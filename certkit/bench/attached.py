@@ -14,16 +14,19 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
+    from certkit.reporting.certificate import Paper
+
 MOST = 500
 """Attachments; a suite of seven procedures has about fifty."""
 
 
 @dataclass(frozen=True)
 class Attached:
-    """What is attached: bytes by name, and the hashes of the manifest by name."""
+    """What is attached: bytes by name, and the hashes of the manifest by name; and the size of the pages."""
 
     files: Mapping[str, bytes]
     listed: Mapping[str, str]
+    paper: Paper
 
 
 def attachments_of(path: Path) -> Attached:
@@ -36,7 +39,8 @@ def attachments_of(path: Path) -> Attached:
     RunError
         When the package that opens PDFs is not installed.
     """
-    files = dict(_attachments(path))
+    paper, attached = _attachments(path)
+    files = dict(attached)
     if MANIFEST not in files:
         raise DataError(
             f"{path}: carries no {MANIFEST}; only certificates that certkit wrote can be verified"
@@ -53,10 +57,14 @@ def attachments_of(path: Path) -> Attached:
         raise DataError(
             f"{path}: {MANIFEST} is damaged; the certificate was changed since it was made"
         ) from error
-    return Attached(files, hashes)
+    return Attached(files, hashes, paper)
 
 
-def _attachments(path: Path) -> list[tuple[str, bytes]]:
+A4_WIDTH = 595.3
+"""Points; Letter is 612 wide."""
+
+
+def _attachments(path: Path) -> tuple[Paper, list[tuple[str, bytes]]]:
     try:
         import pikepdf  # noqa: PLC0415  # an extra
     except ImportError as error:
@@ -71,6 +79,8 @@ def _attachments(path: Path) -> list[tuple[str, bytes]]:
             names = list(document.attachments)
             if len(names) > MOST:
                 raise DataError(f"{path}: {len(names)} attachments; this is no certificate of certkit")
-            return [(name, document.attachments[name].get_file().read_bytes()) for name in names]
+            width = float(document.pages[0].mediabox[2])
+            found = [(name, document.attachments[name].get_file().read_bytes()) for name in names]
+            return ("A4" if abs(width - A4_WIDTH) < 1 else "Letter"), found
     except pikepdf.PdfError as error:
         raise DataError(f"{path}: not a whole PDF ({error}); take the file as it was handed over") from error
