@@ -54,7 +54,7 @@ def extract(
     write_whole(target / "extraction.json", result.to_json())
     if vehicle is not None:
         write_whole(target / "vehicle.yaml", vehicle)
-    render_extraction(result, target, formats)
+    render_extraction(result, target, [word.strip() for word in formats.split(",")])
     if as_json:
         typer.echo(result.to_json(), nl=False)
     else:

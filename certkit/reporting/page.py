@@ -47,7 +47,7 @@ def suite_page(results: Sequence[Result], title: str = "Certification suite") ->
 
 
 def _page(results: Sequence[Result], index: Sequence[dict[str, object]], title: str) -> str:
-    style = _style()
+    style = page_style()
     script = "(() => {\n" + "\n".join(text(name) for name in _SCRIPTS) + "})();"
     return fill(
         "page.html.j2",
@@ -64,7 +64,7 @@ def _page(results: Sequence[Result], index: Sequence[dict[str, object]], title: 
     )
 
 
-def _style() -> str:
+def page_style() -> str:
     """Return the style sheet with its fonts inside: the subset files of the font's own maker."""
     style = text("styles/page.css")
     for key, name in (

@@ -11,7 +11,7 @@ import re
 from typing import Any
 
 from certkit.errors import RunError
-from certkit.reporting.certificate import pdf_of_drawing
+from certkit.reporting.typesetting import pdf_of_drawing
 
 SCALE = 3.0
 """Pixels for each pixel of the drawing: 288 dots an inch."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -43,6 +44,14 @@ def ticks(low: float, high: float, most: int = 6) -> list[float]:
     first = math.ceil(low / step - 1e-9)
     last = math.floor(high / step + 1e-9)
     return [0.0 if index == 0 else float(f"{index * step:.12g}") for index in range(first, last + 1)]
+
+
+def traced(points: list[tuple[float, float]], most: int = 120) -> list[tuple[float, float]]:
+    """Return fewer points of a line: `thinned` for a history, evenly chosen for a curve that turns back."""
+    if all(a[0] <= b[0] for a, b in pairwise(points)):
+        return thinned(points, most)
+    stride = max(1, len(points) // most)
+    return [*points[:-1:stride], points[-1]]
 
 
 def thinned(points: list[tuple[float, float]], most: int = 120) -> list[tuple[float, float]]:

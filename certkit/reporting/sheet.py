@@ -6,7 +6,7 @@ import base64
 import hashlib
 
 from certkit._version import __version__
-from certkit.reporting.page import _style as page_style
+from certkit.reporting.page import page_style
 from certkit.reporting.templating import fill
 
 

@@ -111,8 +111,11 @@ def _unsure(criterion: CriterionResult, decimals: int) -> list[str]:
     remarks: list[str] = []
     unsure = criterion.uncertainty
     if unsure:
+        finest = 10.0**-decimals
+        if unsure.numerical is not None and abs(unsure.numerical) < finest / 2:
+            remarks.append(f"± < {words.plain(finest)} numerical")
         parts = (
-            ("numerical", unsure.numerical),
+            ("numerical", unsure.numerical if abs(unsure.numerical or 0) >= finest / 2 else None),
             ("U, k = 2", unsure.expanded),
             ("guard band", unsure.guard_band),
         )

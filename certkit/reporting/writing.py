@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.grading.result import Result
+    from certkit.identification import ExtractionResult
     from certkit.reporting.certificate import Paper
 
 FORMATS = ("html", "pdf", "junit", "csv", "md")
@@ -120,6 +121,13 @@ def _write(
             write_whole(out / files[name], content)
             written.append(out / files[name])
     return written
+
+
+def render_extraction(result: ExtractionResult, out: Path, formats: Collection[str]) -> list[Path]:
+    """Write the report of an extraction; see `certkit.reporting.extraction`."""
+    from certkit.reporting.extraction import render_extraction as write  # noqa: PLC0415  # jinja2 waits
+
+    return write(result, out, formats)
 
 
 # Each format's modules are imported when it is asked for: a JUnit file must not wait for jinja2.

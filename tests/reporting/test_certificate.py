@@ -20,8 +20,7 @@ import weasyprint
 from certkit.errors import RunError, UsageError
 from certkit.grading.document import from_json
 from certkit.grading.result import Result
-from certkit.reporting import certificate as room
-from certkit.reporting import render
+from certkit.reporting import render, typesetting
 from certkit.reporting.attachments import MANIFEST
 from certkit.reporting.certificate import certificate
 
@@ -203,9 +202,9 @@ def test_the_default_paper_is_a4(pdf: pikepdf.Pdf):
 
 
 def test_nothing_outside_the_fonts_folder_is_fetched():
-    fetcher = room._fetcher(weasyprint)
-    outside = (room.folder().parent / "pyproject.toml").as_uri()
-    climbing = (room.folder() / "fonts").as_uri() + "/../certificate.html.j2"
+    fetcher = typesetting._fetcher(weasyprint)
+    outside = (typesetting.folder().parent / "pyproject.toml").as_uri()
+    climbing = (typesetting.folder() / "fonts").as_uri() + "/../certificate.html.j2"
     for address in ("https://example.org/x.png", outside, climbing, "data:text/html,x"):
         with pytest.raises(ValueError, match="fetches nothing"):
             fetcher.fetch(address)

@@ -24,7 +24,8 @@ FILL = {
     "vehicle": "#dfe5ea",
     "mass": "#6b7580",
 }
-_ORDER = ("vehicle", "ram", "rig", "flesh", "mass", "knee", "bone")
+_ORDER = ("vehicle", "rig", "flesh", "mass", "knee", "bone", "ram")
+"""From back to front. The leg crushes the honeycomb, which is drawn in front and half seen through."""
 
 
 def placed(shape: Shape, pose: tuple[float, float, float]) -> list[tuple[float, float]]:
@@ -71,7 +72,8 @@ def key_frames(motion: Motion, most: int = 6) -> list[int]:
 
 def _shape(points: list[tuple[float, float]], shape: Shape, fill: str, css: str) -> str:
     if shape.closed:
-        return tag("path", d=path(points, closed=True), fill=fill, class_=css)
+        seen = 0.7 if shape.kind == "ram" else None
+        return tag("path", d=path(points, closed=True), fill=fill, fill_opacity=seen, class_=css)
     return tag("path", d=path(points), fill="none", stroke_width=1.2, class_=css)
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.frame import Frame
-from certkit.reporting.scales import span, thinned
+from certkit.reporting.scales import span, traced
 from certkit.reporting.svg import label, path, picture, tag
 
 if TYPE_CHECKING:
@@ -35,12 +35,14 @@ def lines_chart(
     rows = _legend(lines, title, width)
     x = span([v for _, xs, _ in lines for v in xs], margin=0)
     y = span([0.0, *(v for _, _, ys in lines for v in ys)])
-    frame = Frame.around(x, y, width=width, height=height, above=12 + 16 * (1 + max(row for row, _ in rows)))
+    above = 12.0 + 16 * (1 + max(row for row, _ in rows))
+    below = 22.0 if len(x_title) < 4 else 36.0
+    frame = Frame.around(x, y, width=width, height=height, above=above, below=below)
     drawn = frame.axes(title, x_title, unit)
     for index, ((name, xs, ys), (row, place)) in enumerate(zip(lines, rows, strict=True)):
         css = f"curve p{index % len(palette.PENS)}"
         pen = palette.PENS[index % len(palette.PENS)]
-        points = thinned(list(zip(xs, ys, strict=True)), 90)
+        points = traced(list(zip(xs, ys, strict=True)), 90)
         data = path(frame.place(a, b) for a, b in points)
         drawn += tag(
             "path",

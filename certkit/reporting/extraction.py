@@ -1,0 +1,115 @@
+"""Extraction of a vehicle from finite-element histories, as a page and on paper, from its result alone.
+
+The figures are those of the paper: momentum balance (17), force between groups (18), force over shortening
+(19), and the stress–strain curve beside the material's own (20).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit._version import __version__
+from certkit.files import write_whole
+from certkit.reporting.attachments import Enclosure
+from certkit.reporting.certificate import creation_date
+from certkit.reporting.charts.lines import Line, lines_chart
+from certkit.reporting.sheet import sheet
+from certkit.reporting.templating import fill, text
+from certkit.reporting.typesetting import typeset
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+    from pathlib import Path
+
+    from certkit.identification import ExtractionResult
+    from certkit.identification.result import MaterialResult, PathResult
+
+WIDTH, HEIGHT = 360.0, 220.0
+
+
+@dataclass(frozen=True)
+class PathView:
+    """A load path with its figures."""
+
+    path: PathResult
+    drawings: list[str]
+
+
+def render_extraction(result: ExtractionResult, out: Path, formats: Collection[str]) -> list[Path]:
+    """Write `extraction.html` and `extraction.pdf` as wanted.
+
+    Returns
+    -------
+    list of Path
+        What was written.
+    """
+    written = []
+    if "html" in formats:
+        written.append(out / "extraction.html")
+        write_whole(written[-1], extraction_page(result))
+    if "pdf" in formats:
+        written.append(out / "extraction.pdf")
+        write_whole(written[-1], extraction_pdf(result))
+    return written
+
+
+def extraction_page(result: ExtractionResult) -> str:
+    """Return the page."""
+    return sheet("extraction.html.j2", result.title, **_parts(result))
+
+
+def extraction_pdf(result: ExtractionResult) -> bytes:
+    """Return the PDF, with the result document attached."""
+    created = creation_date([])
+    html = fill(
+        "extraction-paper.html.j2",
+        title=result.title,
+        version=__version__,
+        created=created.strftime("%Y-%m-%dT%H:%M:%SZ"),
+        style=text("styles/certificate.css"),
+        **_parts(result),
+    )
+    enclosed = Enclosure("extraction.json", "extraction result", result.to_json().encode(), "Data")
+    return typeset(html, [enclosed], created)
+
+
+def _parts(result: ExtractionResult) -> dict[str, object]:
+    times = [t * 1e3 for t in result.times]
+    momentum: list[Line] = [(group.name, times, group.momentum) for group in result.groups]
+    return {
+        "doc": result,
+        "momentum": lines_chart(momentum, "Momentum of the groups", "ms", "N·s") if momentum else None,
+        "paths": [PathView(path, _drawings(path, times) if any(path.force) else []) for path in result.paths],
+        "material": _material(result.material) if result.material else None,
+    }
+
+
+def _drawings(path: PathResult, times: list[float]) -> list[str]:
+    forces: list[Line] = [("from momentum", times, path.force)]
+    if path.recorded_force is not None:
+        forces.append(("recorded contact", times, path.recorded_force))
+    shortening = [v * 1e3 for v in path.shortening]
+    laws: list[Line] = [("history", shortening, path.force)]
+    if path.law:
+        laws.append(("law", [v * 1e3 for v in path.law.shortening], path.law.force))
+    size = {"width": WIDTH, "height": HEIGHT}
+    drawn = [
+        lines_chart([("impulse", times, path.impulse)], "Impulse", "ms", "N·s", **size),
+        lines_chart(forces, "Force", "ms", "N", **size),
+    ]
+    if any(shortening):  # a contact between groups that merely touch has none
+        drawn.append(lines_chart(laws, "Stiffness", "shortening, mm", "N", **size))
+    return drawn
+
+
+def _material(material: MaterialResult) -> str:
+    lines: list[Line] = [("extracted", material.strain, [v / 1e6 for v in material.stress])]
+    if material.unloading_strain:
+        unloading = [v / 1e6 for v in material.unloading_stress]
+        lines.append(("extracted, unloading", material.unloading_strain, unloading))
+    if material.reference_strain:
+        lines.append(
+            ("material's own curve", material.reference_strain, [v / 1e6 for v in material.reference_stress])
+        )
+    return lines_chart(lines, "Stress over strain", "engineering strain", "MPa")

@@ -1,0 +1,120 @@
+"""Pages on paper: PDF/A-3u by WeasyPrint, the same bytes every time, with files attached.
+
+Fonts come from the templates' folder alone: whatever else a document might ask for is refused, so nothing is
+fetched.
+"""
+
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING, Any
+
+from certkit.errors import RunError
+from certkit.reporting.templating import folder, text
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from datetime import datetime
+
+    from certkit.reporting.attachments import Enclosure
+
+
+def typeset(html: str, enclosed: Sequence[Enclosure], created: datetime) -> bytes:
+    """Return an HTML document as PDF/A-3u.
+
+    Parameters
+    ----------
+    html : str
+        With its style inside; addresses of fonts are relative to the templates' folder.
+    enclosed : sequence of Enclosure
+        Files to attach.
+    created : datetime
+        Date that the attachments bear; the document's own stands in its head.
+    """
+    module = weasyprint()
+    attached = [
+        module.Attachment(
+            string=part.content,
+            base_url=folder().as_uri(),
+            name=part.name,
+            description=f"{part.role}, SHA-256 {part.sha256}",
+            created=created,
+            modified=created,
+            relationship=part.relationship,
+        )
+        for part in enclosed
+    ]
+    document = module.HTML(string=html, base_url=folder().as_uri() + "/", url_fetcher=_fetcher(module))
+    with warnings.catch_warnings():
+        # WeasyPrint leaves its colour profile's file to the garbage collector.
+        warnings.simplefilter("ignore", ResourceWarning)
+        pdf: bytes = document.write_pdf(
+            pdf_variant="pdf/a-3u", attachments=attached, finisher=_finish, custom_metadata=False
+        )
+    return pdf
+
+
+def weasyprint() -> Any:  # noqa: ANN401  # the module has no types
+    """Return WeasyPrint.
+
+    Raises
+    ------
+    RunError
+        When the Pango library that it draws text with is missing; says how to install it.
+    """
+    try:
+        import weasyprint as module  # noqa: PLC0415  # 1.1 s that only a PDF needs
+    except OSError as error:
+        raise RunError(
+            "the PDF needs the Pango library, which is not installed; on Debian and Ubuntu: "
+            "`apt install libpango-1.0-0 libpangoft2-1.0-0 libharfbuzz0b`, on macOS: `brew install pango`; "
+            "HTML and JSON do not need it (`--format html`)"
+        ) from error
+    return module
+
+
+def _fetcher(module: Any) -> Any:  # noqa: ANN401  # likewise
+    """Return a fetcher that hands out the fonts of our own folder and embedded pictures, and nothing else."""
+    fonts = (folder() / "fonts").as_uri() + "/"
+
+    class OwnFilesOnly(module.urls.URLFetcher):  # type: ignore[misc]  # the module has no types
+        def fetch(self, url: str, headers: dict[str, str] | None = None) -> Any:  # noqa: ANN401  # likewise
+            if url.startswith("data:image/") or (url.startswith(fonts) and ".." not in url):
+                return super().fetch(url, headers)
+            raise ValueError(f"a certificate fetches nothing: {url[:80]}")
+
+    return OwnFilesOnly(allowed_protocols=("file", "data"))
+
+
+def _finish(document: Any, pdf: Any) -> None:  # noqa: ANN401  # likewise
+    """Label the pages 1, 2, 3 …, as printed, and name each attachment once: WeasyPrint 70 names it twice."""
+    import pydyf  # noqa: PLC0415  # comes with WeasyPrint
+
+    del document
+    labels = pydyf.Dictionary({"Nums": pydyf.Array([0, pydyf.Dictionary({"S": "/D"})])})
+    pdf.catalog["PageLabels"] = labels
+    if "AF" in pdf.catalog:
+        pdf.catalog["AF"] = pydyf.Array(dict.fromkeys(pdf.catalog["AF"]))
+
+
+def pdf_of_drawing(drawing: str, width: float, height: float) -> bytes:
+    """Return one of our SVG drawings as a page of exactly its size, set in the shipped font.
+
+    Parameters
+    ----------
+    drawing : str
+        SVG from `certkit.reporting.charts`.
+    width, height : float
+        Its size in CSS pixels.
+    """
+    module = weasyprint()
+    size = (
+        f"@page {{ size: {width:g}px {height:g}px; margin: 0 }} body {{ margin: 0 }} svg {{ display: block }}"
+    )
+    faces = "".join(
+        line for line in text("styles/certificate.css").splitlines() if line.startswith("@font-face")
+    )
+    html = f"<style>{faces} {size}</style>{drawing}"
+    document = module.HTML(string=html, base_url=folder().as_uri() + "/", url_fetcher=_fetcher(module))
+    pdf: bytes = document.write_pdf()
+    return pdf
