@@ -20,13 +20,19 @@ def figure(
             help=(
                 "corridor: criteria in their corridors; history: channels over time; frames: the rig at "
                 "a few instants; table: the error table; errors: its bars; curve: curves of static tests; "
-                "energy: energies over time."
+                "energy: energies over time. Of an extraction.json: momentum, impulse, force, stiffness, "
+                "material."
             ),
         ),
     ] = "corridor",
     formats: Annotated[str, typer.Option("--format", help="svg, png, or both with a comma.")] = "svg",
     channel: Annotated[
-        list[str] | None, typer.Option("--channel", help="Only this channel or criterion. Repeatable.")
+        list[str] | None,
+        typer.Option("--channel", help="Only this channel, criterion or load path. Repeatable."),
+    ] = None,
+    beside: Annotated[
+        Path | None,
+        typer.Option("--beside", metavar="RESULT.json", help="Second result, for history and frames."),
     ] = None,
     out: Annotated[
         Path | None,
@@ -38,12 +44,12 @@ def figure(
     `certkit figure runs/pendulum/result.json --what history --channel T1 --format svg,png`
     """
     from certkit.files import write_whole  # noqa: PLC0415  # nothing of this is needed for `--help`
-    from certkit.grading.document import read_result  # noqa: PLC0415  # likewise
-    from certkit.reporting import figure as draw  # noqa: PLC0415  # likewise
+    from certkit.reporting.figure_files import figure_files  # noqa: PLC0415  # likewise
 
-    document = read_result(result)
-    base = out or result.parent / f"{document.procedure}-{what}"
-    for form in [name.strip() for name in formats.split(",") if name.strip()]:
+    wanted = [name.strip() for name in formats.split(",") if name.strip()]
+    name, contents = figure_files(result, what, wanted, channels=channel or (), beside=beside)
+    base = out or result.parent / f"{name}-{what}"
+    for form, content in contents.items():
         path = base.with_name(f"{base.name}.{form}")
-        write_whole(path, draw(document, what, form, channels=channel or ()))
+        write_whole(path, content)
         typer.echo(f"wrote {path}", err=True)

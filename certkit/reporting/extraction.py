@@ -10,16 +10,18 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
+from certkit.errors import UsageError
 from certkit.files import write_whole
 from certkit.reporting.attachments import Enclosure
 from certkit.reporting.certificate import creation_date
 from certkit.reporting.charts.lines import Line, lines_chart
+from certkit.reporting.charts.sheet import sheet as side_by_side
 from certkit.reporting.sheet import sheet
 from certkit.reporting.templating import fill, text
 from certkit.reporting.typesetting import typeset
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
+    from collections.abc import Collection, Sequence
     from pathlib import Path
 
     from certkit.identification import ExtractionResult
@@ -74,18 +76,51 @@ def extraction_pdf(result: ExtractionResult) -> bytes:
     return typeset(html, [enclosed], created)
 
 
+EXTRACTION_FIGURES = ("momentum", "impulse", "force", "stiffness", "material")
+
+
+def extraction_drawing(result: ExtractionResult, what: str, paths: Sequence[str]) -> str | None:
+    """Draw one figure of an extraction, over all load paths that pushed or only those named.
+
+    Raises
+    ------
+    UsageError
+        When a path is not one of the extraction's.
+    """
+    known = {path.name: path for path in result.paths}
+    for name in paths:
+        if name not in known:
+            raise UsageError(f"there is no load path `{name}`; there are {', '.join(known) or 'none'}")
+    times = [t * 1e3 for t in result.times]
+    if what == "momentum":
+        return _momentum(result, times)
+    if what == "material":
+        return _material(result.material) if result.material else None
+    place = EXTRACTION_FIGURES.index(what) - 1
+    chosen = [known[name] for name in paths] or [path for path in result.paths if any(path.force)]
+    sets = [_drawings(path, times, head=path.name) for path in chosen]
+    drawn = [drawings[place] for drawings in sets if len(drawings) > place]
+    if len(drawn) < 2:
+        return drawn[0] if drawn else None
+    return side_by_side(drawn, f"{what} of {result.title}")
+
+
+def _momentum(result: ExtractionResult, times: list[float]) -> str | None:
+    lines: list[Line] = [(group.name, times, group.momentum) for group in result.groups]
+    return lines_chart(lines, "Momentum of the groups", "ms", "N·s") if lines else None
+
+
 def _parts(result: ExtractionResult) -> dict[str, object]:
     times = [t * 1e3 for t in result.times]
-    momentum: list[Line] = [(group.name, times, group.momentum) for group in result.groups]
     return {
         "doc": result,
-        "momentum": lines_chart(momentum, "Momentum of the groups", "ms", "N·s") if momentum else None,
+        "momentum": _momentum(result, times),
         "paths": [PathView(path, _drawings(path, times) if any(path.force) else []) for path in result.paths],
         "material": _material(result.material) if result.material else None,
     }
 
 
-def _drawings(path: PathResult, times: list[float]) -> list[str]:
+def _drawings(path: PathResult, times: list[float], *, head: str = "") -> list[str]:
     forces: list[Line] = [("from momentum", times, path.force)]
     if path.recorded_force is not None:
         forces.append(("recorded contact", times, path.recorded_force))
@@ -95,11 +130,11 @@ def _drawings(path: PathResult, times: list[float]) -> list[str]:
         laws.append(("law", [v * 1e3 for v in path.law.shortening], path.law.force))
     size = {"width": WIDTH, "height": HEIGHT}
     drawn = [
-        lines_chart([("impulse", times, path.impulse)], "Impulse", "ms", "N·s", **size),
-        lines_chart(forces, "Force", "ms", "N", **size),
+        lines_chart([("impulse", times, path.impulse)], head or "Impulse", "ms", "N·s", **size),
+        lines_chart(forces, head or "Force", "ms", "N", **size),
     ]
     if any(shortening):  # a contact between groups that merely touch has none
-        drawn.append(lines_chart(laws, "Stiffness", "shortening, mm", "N", **size))
+        drawn.append(lines_chart(laws, head or "Stiffness", "shortening, mm", "N", **size))
     return drawn
 
 

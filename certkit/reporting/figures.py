@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 from certkit.errors import UsageError
 from certkit.reporting.charts.errors import errors_chart
-from certkit.reporting.charts.frames import frames_chart
-from certkit.reporting.charts.history import history_chart
-from certkit.reporting.charts.lines import energies_chart
+from certkit.reporting.charts.frames import frames_chart, key_frames
+from certkit.reporting.charts.history import history_chart, times
+from certkit.reporting.charts.lines import energies_chart, lines_chart
 from certkit.reporting.charts.plane import plane_chart
 from certkit.reporting.charts.sheet import sheet
 from certkit.reporting.charts.tables import corridors_table, errors_table
@@ -24,7 +24,14 @@ WHAT: tuple[str, ...] = get_args(What)
 FORMATS = ("svg", "png")
 
 
-def figure(result: Result, what: str, form: str = "svg", *, channels: Sequence[str] = ()) -> bytes:
+def figure(
+    result: Result,
+    what: str,
+    form: str = "svg",
+    *,
+    channels: Sequence[str] = (),
+    beside: Result | None = None,
+) -> bytes:
     """Draw one figure of a result.
 
     Parameters
@@ -39,6 +46,8 @@ def figure(result: Result, what: str, form: str = "svg", *, channels: Sequence[s
         PNG needs the extra `png`.
     channels : sequence of str
         For `history` and `curve`: only these channels or criteria; all by default.
+    beside : Result, optional
+        For `history`: a second result whose curves are laid over; for `frames`: whose pictures stand below.
 
     Returns
     -------
@@ -54,9 +63,27 @@ def figure(result: Result, what: str, form: str = "svg", *, channels: Sequence[s
         raise UsageError(f"unknown figure `{what}`; use {', '.join(WHAT)}")
     if form not in FORMATS:
         raise UsageError(f"unknown figure format `{form}`; use {' or '.join(FORMATS)}")
-    drawing = _draw(result, what, channels)
+    if beside is not None:
+        if what not in {"history", "frames"}:
+            raise UsageError(f"`{what}` cannot show two results; `history` and `frames` can")
+        drawing = _overlaid(result, beside, channels) if what == "history" else _stacked(result, beside)
+    else:
+        drawing = _draw(result, what, channels)
     if drawing is None:
         raise UsageError(f"{result.procedure}: the result holds nothing to draw `{what}` from")
+    return painted(drawing, form)
+
+
+def painted(drawing: str, form: str) -> bytes:
+    """Return a drawing as a file of that format.
+
+    Raises
+    ------
+    UsageError
+        When the format is neither `svg` nor `png`.
+    """
+    if form not in FORMATS:
+        raise UsageError(f"unknown figure format `{form}`; use {' or '.join(FORMATS)}")
     if form == "svg":
         return (drawing + "\n").encode()
     from certkit.reporting.raster import png  # noqa: PLC0415  # WeasyPrint and PDFium load for PNG alone
@@ -75,6 +102,42 @@ def _draw(result: Result, what: str, channels: Sequence[str]) -> str | None:
         "errors": lambda: errors_chart(c) if (c := result.comparison) and c.rows else None,
     }
     return painters[what]()
+
+
+def _stacked(result: Result, beside: Result) -> str | None:
+    """Draw the key frames of both, one row each, at the same instants."""
+    first, second = result.motion, beside.motion
+    if not (first and first.poses and second and second.poses):
+        return None
+    frames = key_frames(first)
+    instants = [first.times[frame] for frame in frames]
+    nearest = [min(range(len(second.times)), key=lambda i: abs(second.times[i] - t)) for t in instants]
+    rows = [frames_chart(first, frames), frames_chart(second, nearest)]
+    return sheet(rows, f"{result.title} and {beside.title} at the same instants", columns=1)
+
+
+def _overlaid(result: Result, beside: Result, channels: Sequence[str]) -> str | None:
+    """Draw the channels that both have, over each other."""
+    first, second = result.curves, beside.curves
+    if first is None or second is None:
+        return None
+    common = [name for name in ordered_channels(result) if name in second.series]
+    _check(channels, common)
+    drawn = []
+    for name in channels or common:
+        here, there = first.series[name], second.series[name]
+        lines = [
+            (result.procedure, times(first), here.values),
+            (
+                beside.procedure + (" (2)" if beside.procedure == result.procedure else ""),
+                times(second),
+                there.values,
+            ),
+        ]
+        drawn.append(lines_chart(lines, name, "ms", here.unit, width=360, height=210))
+    if not drawn:
+        return None
+    return drawn[0] if len(drawn) == 1 else sheet(drawn, f"{result.title} and {beside.title}")
 
 
 def _histories(result: Result, channels: Sequence[str]) -> str | None:

@@ -173,3 +173,20 @@ def test_a_png_is_three_times_the_drawing(pendulum: Result):
     content = figure(pendulum, "history", "png", channels=["T1"])
     assert content.startswith(b"\x89PNG")
     assert int.from_bytes(content[16:20], "big") == pytest.approx(3 * 360, abs=4)
+
+
+def test_two_results_can_be_laid_over_each_other(pendulum: Result, measured: Result) -> None:
+    root = parsed(figure(pendulum, "history", channels=["T1"], beside=measured))
+    assert len([e for e in root.iter(f"{SVG}path") if "curve" in (e.get("class") or "")]) == 2
+
+
+def test_frames_of_two_results_stand_at_the_same_instants(pendulum: Result, bending: Result) -> None:
+    root = parsed(figure(pendulum, "frames", beside=bending))
+    rows = root.findall(f"{SVG}svg")
+    assert len(rows) == 2
+    assert len({len(row.findall(f"{SVG}g")) for row in rows}) == 1
+
+
+def test_only_figures_with_a_time_axis_take_a_second_result(pendulum: Result) -> None:
+    with pytest.raises(UsageError, match="cannot show two results"):
+        figure(pendulum, "table", beside=pendulum)
