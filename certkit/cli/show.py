@@ -27,12 +27,21 @@ def show(
     ] = None,
     overrides: options.Overrides = None,
     library: options.Libraries = None,
+    as_file: Annotated[
+        bool, typer.Option("--file", help="Print the file as it is, to begin an own one from it.")
+    ] = False,
     as_json: options.AsJson = False,
 ) -> None:
     """Show a definition: what it is, what it measures, and where each number comes from."""
     from certkit.definitions.sheet import sheet  # noqa: PLC0415  # pydantic waits until it is needed
 
     shown = sheet(name, kind, library=tuple(library or ()), overrides=tuple(overrides or ()))
+    if as_file:
+        from certkit.definitions.kinds import kind_of  # noqa: PLC0415  # only here
+        from certkit.definitions.library import find  # noqa: PLC0415  # likewise
+
+        typer.echo(find(kind_of(shown.kind), name, tuple(library or ())).data.decode(), nl=False)
+        return
     if as_json:
         import json  # noqa: PLC0415  # only here
 

@@ -52,6 +52,12 @@ def test_ones_own_definitions_are_listed_instead_of_shipped_ones(certkit: Comman
     assert "procedure\tpendulum\tOurs\tlab/procedures/pendulum.yaml" in lines
 
 
+def test_show_prints_the_file_itself_to_begin_from(certkit: Command, tmp_path: Path):
+    (tmp_path / "ours.yaml").write_text(certkit("show", "flex-pli-gtr", "--file").stdout)
+    assert (tmp_path / "ours.yaml").read_text().count("# The shipped Flex-PLI.") == 1
+    assert certkit("validate", "ours.yaml").returncode == 0
+
+
 def test_show_tells_each_numbers_origin_and_each_criterions_corridor(certkit: Command):
     shown = certkit("show", "pendulum").stdout
     assert "T1\tmax of tibia moment 1, CFC 180\t235 N·m to 272 N·m\trecalled\tUN R127" in shown
