@@ -1,0 +1,89 @@
+"""One run from the shell, cold and warm, by phase, beside what its imports and the solver take."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+from typing import TYPE_CHECKING
+
+from clock import Row, processor_seconds, wall_seconds
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+IMPORTS = "import numpy, pymunk, pydantic"
+SOLVER = (
+    "import time\n"
+    "from certkit.bench.setup import prepare\n"
+    "from certkit.mechanics import simulate\n"
+    "s = prepare('inverse')\n"
+    "simulate(s.procedure, s.legform, vehicle=s.vehicle)\n"
+    "t = time.process_time()\n"
+    "for k in range(10): simulate(s.procedure, s.legform, vehicle=s.vehicle)\n"
+    "print((time.process_time() - t) / 10)\n"
+)
+
+
+def rows() -> Iterator[Row]:
+    """Yield times of single runs."""
+    bare = wall_seconds(lambda: _python("pass"))
+    imports = wall_seconds(lambda: _python(IMPORTS), 5)
+    yield Row("python with numpy, pymunk and pydantic, from the shell", imports, "s")
+    yield Row("  of which python itself", bare, "s")
+    solve = float(_python(SOLVER))
+    yield Row("inverse test, one simulation without step check", solve, "s")
+    yield Row("  as promised for one run of 60 ms (processor time)", solve, "s", 0.15, "most")
+    with tempfile.TemporaryDirectory() as folder:
+        environment = {**os.environ, "NUMBA_CACHE_DIR": folder}
+        cold = wall_seconds(lambda: _certkit("junit", environment), 1)
+    yield Row("certkit run --procedure inverse --format junit, cold", cold, "s")
+    warm = wall_seconds(lambda: _certkit("junit"), 5)
+    yield Row("the same, warm", warm, "s")
+    # A run simulates three times: as reported, with half the step (twice the work), with more iterations.
+    solver = 4 * solve
+    yield Row("  of which the solver, with step and iteration check", solver, "s")
+    yield Row("warm run / (imports + solver)", warm / (imports + solver), "", 2.0, "most")
+    for formats in ("junit,html", "junit,html,pdf"):
+        yield Row(
+            f"certkit run --procedure inverse --format {formats}",
+            wall_seconds(lambda f=formats: _certkit(f)),
+            "s",
+        )
+    yield from _phases()
+
+
+def _phases() -> Iterator[Row]:
+    """Yield the phases of one run inside a warm process."""
+    from certkit.bench.setup import prepare  # noqa: PLC0415  # timed from here on
+    from certkit.grading import grade_criteria  # noqa: PLC0415  # likewise
+    from certkit.mechanics import simulate  # noqa: PLC0415  # likewise
+
+    yield Row("  phase: load and check definitions", processor_seconds(lambda: prepare("inverse")), "s")
+    setup = prepare("inverse")
+    simulation = simulate(setup.procedure, setup.legform, vehicle=setup.vehicle)
+    yield Row(
+        "  phase: simulate",
+        processor_seconds(lambda: simulate(setup.procedure, setup.legform, vehicle=setup.vehicle)),
+        "s",
+    )
+    yield Row(
+        "  phase: grade",
+        processor_seconds(lambda: grade_criteria(setup.procedure, setup.corridors, simulation.recording)),
+        "s",
+    )
+
+
+def _python(code: str) -> str:
+    return subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
+
+
+def _certkit(formats: str, environment: dict[str, str] | None = None) -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        command = ["run", "--procedure", "inverse", "--format", formats, "--out", folder, "--quiet"]
+        done = subprocess.run(
+            [sys.executable, "-m", "certkit", *command], capture_output=True, check=False, env=environment
+        )
+    if done.returncode not in {0, 1, 4}:
+        raise SystemExit(done.stderr.decode())
