@@ -109,7 +109,10 @@ def _stacked(result: Result, beside: Result) -> str | None:
     first, second = result.motion, beside.motion
     if not (first and first.poses and second and second.poses):
         return None
-    frames = key_frames(first)
+    shared = sum(t <= second.times[-1] + 1e-9 for t in first.times)
+    frames = key_frames(
+        first.model_copy(update={"poses": first.poses[:shared], "moments": first.moments[:shared]})
+    )
     instants = [first.times[frame] for frame in frames]
     nearest = [min(range(len(second.times)), key=lambda i: abs(second.times[i] - t)) for t in instants]
     rows = [frames_chart(first, frames), frames_chart(second, nearest)]
