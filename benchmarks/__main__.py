@@ -18,7 +18,7 @@ sys.path.insert(0, str(HERE))
 import chain  # noqa: E402  # the folder is found first
 import growth  # noqa: E402  # the folder is found first
 import many  # noqa: E402  # the folder is found first
-import measured
+import measured  # noqa: E402  # the folder is found first
 import shell  # noqa: E402  # the folder is found first
 from clock import Row, reference_loop  # noqa: E402  # likewise
 

@@ -48,7 +48,14 @@ class CsvLayout(Document):
 
     @model_validator(mode="after")
     def _known_channels(self) -> Self:
-        if faults := _unknown("columns", self.columns):
+        faults = _unknown("columns", self.columns)
+        if self.delimiter == "," == self.decimal:
+            faults.append(
+                (("decimal",), "the comma cannot be delimiter and decimal sign; name the delimiter")
+            )
+        if self.time.column is None and self.time.sampling_interval is None:
+            faults.append((("time",), "needs a `column`, or a `sampling interval` such as `0.05 ms`"))
+        if faults:
             raise Faults(faults)
         return self
 

@@ -67,3 +67,15 @@ class Leniency:
                 f"{place}: {what}; correct it, or read with --lenient, which assumes: {assumption}"
             )
         self.assumptions.append(f"{place}: {what}; assumed: {assumption}")
+
+    def leave_out(self, fault: str, channel: str) -> None:
+        """Report samples that cannot be read: raise it, or note that the channel counts as not recorded.
+
+        Raises
+        ------
+        DataError
+            When reading strictly.
+        """
+        if not self.lenient:
+            raise DataError(fault)
+        self.assumptions.append(f"{fault}; assumed: {channel} was not recorded")

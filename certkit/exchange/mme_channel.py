@@ -11,7 +11,7 @@ from certkit.errors import DataError
 from certkit.exchange.filters import FILTER_OF_LETTER
 from certkit.exchange.limits import MAX_SAMPLES
 from certkit.exchange.mme_header import Header, read_header
-from certkit.exchange.samples import read_samples
+from certkit.exchange.samples import Lines, read_samples
 from certkit.exchange.timebase import TimeBase
 from certkit.exchange.units import factor
 from certkit.signals.clipping import find_clipping
@@ -88,7 +88,7 @@ def read_channel(
     Returns
     -------
     MmeChannel or None
-        None when the file says that its data are not to be used.
+        None when its data are not to be used: the file says so, or has gaps and reading is lenient.
 
     Raises
     ------
@@ -103,7 +103,11 @@ def read_channel(
         return None
     _check_code(header, code, leniency)
     base = _time_base(header, leniency)
-    values = read_samples(lines[header.end :], place, header.end + 1)[:, 0]
+    try:
+        values = read_samples(Lines(place, header.end + 1, lines[header.end :]))[:, 0]
+    except DataError as error:
+        leniency.leave_out(str(error), kind.name)
+        return None
     base = base.with_count(_count(header, base.count, len(values), leniency))
     if base.count < 2:
         raise DataError(f"{place}:{header.end + 1}: a single sample; a test has many")

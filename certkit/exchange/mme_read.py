@@ -216,7 +216,7 @@ def _channels(
             leniency,
         )
         if part is None:
-            notes.append(f"{name} is not used: {item.file} says that its data are unusable")
+            notes.append(f"{name} is not used: the data of {item.file} are not usable")
         else:
             parts.append(part)
     if not parts:

@@ -280,7 +280,7 @@ DAMAGES = [
         _edit(CHANNEL, r":implicit", ":explicit"),
         r"leg\.001:18: time in a channel of its own",
     ),
-    Damage("clipped", "mme", _clip, r"leg\.001:\d+: clipped at 199.9"),
+    Damage("clipped", "mme", _clip, r"leg\.001:\d+: clipped at (199.9|200)"),
     Damage("symbolic link", "mme", _link, "a symbolic link"),
     Damage("zip cut off", "mme", _cut_zip, "not a whole zip archive"),
     Damage("zip with flipped bits", "mme", _flipped_zip, "damaged in the archive"),

@@ -50,3 +50,28 @@ def test_two_time_bases_are_brought_together_only_when_lenient(mme: Path):
     read = read_recording(mme, lenient=True)
     assert read.recording.interval == pytest.approx(1e-4)
     assert "two time bases" in read.assumptions[0]
+
+
+def test_a_channel_with_a_gap_is_left_out_only_when_lenient(mme: Path, table: Path):
+    channel = mme / "Channel/leg.001"
+    lines = channel.read_text().split("\n")
+    channel.write_text("\n".join([*lines[:700], "NOVALUE", *lines[701:]]))
+    rows = table.read_text(encoding="utf-8").split("\n")
+    cells = rows[90].split(",")
+    rows[90] = ",".join([cells[0], "", *cells[2:]])
+    table.write_text("\n".join(rows), encoding="utf-8")
+    for path in (mme, table):
+        with pytest.raises(DataError, match="a sample is missing"):
+            read_recording(path)
+        read = read_recording(path, lenient=True)
+        assert "T1" not in read.recording
+        assert "T2" in read.recording
+        assert "T1 was not recorded" in read.assumptions[0]
+
+
+def test_a_gap_in_time_cannot_be_let_pass(table: Path):
+    rows = table.read_text(encoding="utf-8").split("\n")
+    rows[90] = rows[90][rows[90].index(",") :]
+    table.write_text("\n".join(rows), encoding="utf-8")
+    with pytest.raises(DataError, match=r"leg\.csv:91: a sample is missing"):
+        read_recording(table, lenient=True)

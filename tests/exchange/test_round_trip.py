@@ -195,3 +195,14 @@ def test_pyisomme_sees_the_same_channels_units_and_values(mme: Path, recording: 
         assert seen[code]["unit"] == unit
         assert seen[code]["first"] == pytest.approx(recording.time[0])
         np.testing.assert_allclose(seen[code]["values"], recording[name].values * scale, rtol=1e-8, atol=1e-9)
+
+
+def test_columns_that_are_not_mapped_may_hold_anything(tmp_path: Path):
+    path = tmp_path / "lab.csv"
+    path.write_text("t,ok,T\n" + "".join(f"{i / 1000},yes,{i}\n" for i in range(30)))
+    layout = {"time": {"column": "t", "unit": "s"}, "columns": {"T1": {"column": "T", "unit": "N·m"}}}
+    mapping = Mapping.model_validate({"mapping": "lab", "csv": layout})
+    assert read_csv(path, mapping).recording["T1"].values[-1] == 29
+    path.write_text(path.read_text().replace("0.01,yes", "0.01,yes,yes"))
+    with pytest.raises(DataError, match=r"lab\.csv:12: 4 values where 3 values"):
+        read_csv(path, mapping)
