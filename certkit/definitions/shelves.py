@@ -56,6 +56,8 @@ class Shelf(Protocol):
 class FolderShelf:
     """A folder laid out like the shipped ones (`procedures/`, `models/legforms/`), or with the files in it.
 
+    The last of such folders will do too: a fit writes its family into `families/` beside its legform.
+
     Parameters
     ----------
     folder : Path
@@ -89,7 +91,10 @@ class FolderShelf:
         return sorted(found)
 
     def _places(self, kind: Kind) -> list[Path]:
-        return [self.folder / kind.folder, self.folder] if kind.folder else []
+        if not kind.folder:
+            return []
+        last = kind.folder.rpartition("/")[2]
+        return [self.folder / kind.folder, self.folder / last, self.folder]
 
     def _file(self, path: Path) -> str:
         return self._label(path) if self.label == "" else str(path)

@@ -39,6 +39,15 @@ def test_a_file_in_ones_own_library_wins_over_a_shipped_name(tmp_path: Path, pla
     assert not Path(loaded.path).is_absolute()
 
 
+def test_a_family_is_found_where_a_fit_writes_it(tmp_path: Path):
+    folder = tmp_path / "families"
+    folder.mkdir()
+    members = "".join(f"  - {{id: a{n}, values: {{femur.segments: {n}}}}}\n" for n in (6, 8))
+    head = "family: flex-pli-gtr\ntitle: Two legs\nlegform: flex-pli-gtr\nmembers:\n"
+    (folder / "flex-pli-gtr.yaml").write_text(head + members, encoding="utf-8")
+    assert load("family", "flex-pli-gtr", library=[tmp_path]).document.title == "Two legs"
+
+
 def test_the_first_of_several_libraries_wins(tmp_path: Path):
     for number in (1, 2):
         folder = tmp_path / str(number)
