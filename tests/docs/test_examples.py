@@ -1,8 +1,8 @@
 """Every command that the documentation shows is run, in the order of its page, in an empty folder.
 
 A block fenced as `yaml` that begins with `# file: NAME` is written to that file first. In a block fenced as
-`console`, a line `$ certkit …` is run; the comment `# exit N` names the exit code it must end with (0 when
-there is none).
+`console`, a line `$ certkit …` is run; `> FILE` at its end keeps what it prints; the comment `# exit N` names
+the exit code it must end with (0 when there is none).
 """
 
 from __future__ import annotations
@@ -38,10 +38,11 @@ def test_commands_of_a_page_end_as_the_page_says(page: Path, tmp_path: Path) -> 
     ran = 0
     for kind, text in BLOCK.findall(page.read_text()):
         if kind == "yaml" and text.startswith("# file: "):
-            target = tmp_path / text.splitlines()[0].removeprefix("# file: ").strip()
-            target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_text(text)
-        for command, expected in _commands(text) if kind == "console" else ():
+            written = tmp_path / text.splitlines()[0].removeprefix("# file: ").strip()
+            written.parent.mkdir(parents=True, exist_ok=True)
+            written.write_text(text)
+        for line, expected in _commands(text) if kind == "console" else ():
+            command, _, target = line.partition(" > ")
             done = subprocess.run(
                 [sys.executable, "-m", *shlex.split(command)],
                 cwd=tmp_path,
@@ -52,5 +53,8 @@ def test_commands_of_a_page_end_as_the_page_says(page: Path, tmp_path: Path) -> 
                 env={**os.environ, "NO_COLOR": "1"},
             )
             assert done.returncode == expected, f"{command}\n{done.stdout}\n{done.stderr}"
+            if target:
+                (tmp_path / target).parent.mkdir(parents=True, exist_ok=True)
+                (tmp_path / target).write_text(done.stdout)
             ran += 1
     assert ran, f"{page.name} shows no command that was run"

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from docs.make.reference import DOCS, PAGES, write_reference
 
 from certkit.definitions.kinds import KINDS
+from docs.make.reference import DOCS, PAGES, write_reference
 
 
 @pytest.mark.parametrize("name", PAGES)
