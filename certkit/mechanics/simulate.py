@@ -115,7 +115,7 @@ def simulate(
     time_step : float, optional
         Seconds; the procedure's own, else 2e-5, when not given. Halve it to see what it costs.
     iterations : int, optional
-        Of the constraint solver, 5 when not given.
+        Of the constraint solver, 8 when not given.
     sample : int, optional
         Steps a sample; such that samples are about 4e-5 s apart when not given. Static tests have one
         sample a level.

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.laws.table import Floats, Heads, Integers
     from certkit.mechanics.world import World
 
-ITERATIONS = 5
+ITERATIONS = 8
 SPARE = 8  # rows: Munk2D reallocates (and so corrupts) a buffer that is within two slots of full
 
 GET = (

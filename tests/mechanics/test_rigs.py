@@ -65,7 +65,7 @@ def test_more_solver_iterations_change_nothing_to_speak_of(
 ):
     finer = peaks(simulate(load("procedure", name).document, legform, iterations=20))
     for channel, peak in peaks(runs[name]).items():
-        assert finer[channel] == pytest.approx(peak, rel=1e-3), channel
+        assert finer[channel] == pytest.approx(peak, rel=3e-3), channel
 
 
 @pytest.mark.parametrize("name", DYNAMIC)
