@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 MOST = 500
 """Attachments; a suite of seven procedures has about fifty."""
+A4_WIDTH = 595.3
+"""Points; Letter is 612 wide."""
 
 
 @dataclass(frozen=True)
@@ -39,8 +41,10 @@ def attachments_of(path: Path) -> Attached:
     RunError
         When the package that opens PDFs is not installed.
     """
-    paper, attached = _attachments(path)
-    files = dict(attached)
+    paper, found = _opened(path)
+    files = dict(found)
+    if len(files) != len(found):
+        raise DataError(f"{path}: two attachments of one name; only certificates as made can be verified")
     if MANIFEST not in files:
         raise DataError(
             f"{path}: carries no {MANIFEST}; only certificates that certkit wrote can be verified"
@@ -60,27 +64,26 @@ def attachments_of(path: Path) -> Attached:
     return Attached(files, hashes, paper)
 
 
-A4_WIDTH = 595.3
-"""Points; Letter is 612 wide."""
-
-
-def _attachments(path: Path) -> tuple[Paper, list[tuple[str, bytes]]]:
+def _opened(path: Path) -> tuple[Paper, list[tuple[str, bytes]]]:
+    """Open the PDF with PDFium, which is made for files that nobody vouches for."""
     try:
-        import pikepdf  # noqa: PLC0415  # an extra
+        import pypdfium2  # noqa: PLC0415  # only where a PDF is verified
     except ImportError as error:
         raise RunError(
-            "PDFs are opened with pikepdf: pip install 'certkit[verify]'; result.json needs nothing"
+            "PDFs are opened with PDFium: pip install pypdfium2; result.json needs nothing"
         ) from error
     content = read_bounded(path)
     try:
-        import io  # noqa: PLC0415  # only here
-
-        with pikepdf.open(io.BytesIO(content)) as document:
-            names = list(document.attachments)
-            if len(names) > MOST:
-                raise DataError(f"{path}: {len(names)} attachments; this is no certificate of certkit")
-            width = float(document.pages[0].mediabox[2])
-            found = [(name, document.attachments[name].get_file().read_bytes()) for name in names]
-            return ("A4" if abs(width - A4_WIDTH) < 1 else "Letter"), found
-    except pikepdf.PdfError as error:
+        document: Any = pypdfium2.PdfDocument(content)
+        try:
+            count = document.count_attachments()
+            if count > MOST:
+                raise DataError(f"{path}: {count} attachments; this is no certificate of certkit")
+            width = document[0].get_size()[0]
+            attached = [document.get_attachment(index) for index in range(count)]
+            found = [(each.get_name(), bytes(each.get_data())) for each in attached]
+        finally:
+            document.close()
+    except pypdfium2.PdfiumError as error:
         raise DataError(f"{path}: not a whole PDF ({error}); take the file as it was handed over") from error
+    return ("A4" if abs(width - A4_WIDTH) < 1 else "Letter"), found

@@ -24,8 +24,9 @@ if TYPE_CHECKING:
     from certkit.grading.result import Result
     from certkit.mechanics import Simulation
 
-SMALLEST = {"N·m": 1.0, "mm": 0.1, "N": 10.0, "deg": 0.1, "m/s²": 1.0}
-"""A value below this is nothing; its change is taken relative to this, not to a peak of nearly zero."""
+SMALLEST = {"N·m": 4.0, "mm": 0.3, "N": 40.0}
+"""One percent of the channels' amplitude classes (400 N·m, 30 mm, 4 kN): a slack ligament's peak of a hundredth of
+a millimetre is nothing, and its change is taken relative to this."""
 
 
 @dataclass(frozen=True)
