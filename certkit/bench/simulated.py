@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from certkit.mechanics import Simulation
 
 SMALLEST = {"N·m": 4.0, "mm": 0.3, "N": 40.0}
-"""One percent of the channels' amplitude classes (400 N·m, 30 mm, 4 kN): a slack ligament's peak of a hundredth of
-a millimetre is nothing, and its change is taken relative to this."""
+"""One percent of the channels' amplitude classes (400 N·m, 30 mm, 4 kN). A slack ligament's peak of a tenth
+of a millimetre is nothing: its change is taken relative to this."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,9 @@ def run_setup(setup: Setup, *, refine: bool = True) -> Result:
 def _simulate(setup: Setup, *, time_step: float | None = None, iterations: int | None = None) -> Simulation:
     from certkit.mechanics import simulate  # noqa: PLC0415  # a measured test is graded without the solver
 
-    return simulate(setup.procedure, setup.legform, vehicle=setup.vehicle, time_step=time_step, iterations=iterations)
+    return simulate(
+        setup.procedure, setup.legform, vehicle=setup.vehicle, time_step=time_step, iterations=iterations
+    )
 
 
 def _refine(setup: Setup, reported: Simulation) -> Refinement:

@@ -65,5 +65,8 @@ def run(
                 terminal.tell_files(written)
         if len(results) > 1:
             bench.save_suite(results, out or Path("runs"), wanted)
-    terminal.show(results, as_json=as_json, folder=out or Path("runs"))
+    place = out or Path("runs")
+    if len(names) == 1 and results:
+        place = terminal.folder(out, results[0].procedure, several=False)
+    terminal.show(results, as_json=as_json, folder=place)
     raise typer.Exit(terminal.exit_code(results, permitted, failures))

@@ -117,7 +117,8 @@ def show(results: Sequence[Result], *, as_json: bool, folder: Path) -> None:
     from certkit.reporting import terminal  # noqa: PLC0415  # likewise
 
     terminal.show(results)
-    typer.echo(f"reports in {folder}", err=True)
+    page = next((page for page in (folder / "index.html", folder / "report.html") if page.exists()), folder)
+    typer.echo(f"look at {page}", err=True)
     if os.environ.get("GITHUB_ACTIONS") == "true":
         from certkit.reporting.markdown import github_annotations  # noqa: PLC0415  # only there
 
