@@ -111,6 +111,7 @@ _ALL = (
     Kind("fit", "parameters of a leg and the tests they are fitted to", "fit:Fit", "models/fits"),
     Kind("laboratory", "who tested what, when, with which sensors", "laboratory:Laboratory"),
     Kind("mapping", "how a laboratory's files become channels", "mapping:Mapping"),
+    Kind("logbook", "how long a certification is good for", "logbook:LogbookRules"),
 )
 
 KINDS = {kind.word: kind for kind in _ALL}

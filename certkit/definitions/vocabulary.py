@@ -1,7 +1,6 @@
-"""The channels of a Flex-PLI test: their short names, the words of the field, and their ISO-MME codes.
+"""The channels of a Flex-PLI test: their short names and the words of the field.
 
-The codes resolve part by part in the ISO/TS 13499 tables (fine location `PF`: Flex-PLI); that they are *the*
-usual Flex-PLI codes is an estimate, so a laboratory can override them (`certkit.exchange`).
+Their ISO-MME codes stand in one table, `certkit/exchange/flex-pli.yaml`, which a laboratory can override.
 """
 
 from __future__ import annotations
@@ -64,37 +63,34 @@ class ChannelKind:
         The words a procedure uses: `tibia moment 1`.
     dimension : Dimension
         Its dimension and units.
-    code : str
-        ISO-MME channel code with filter class `0` (unfiltered), empty where there is none.
     """
 
     name: str
     title: str
     dimension: Dimension
-    code: str = ""
 
 
 _KINDS = (
-    ChannelKind("F1", "femur moment 1", MOMENT, "D0FEMRLO00PFMOX0"),
-    ChannelKind("F2", "femur moment 2", MOMENT, "D0FEMRMI00PFMOX0"),
-    ChannelKind("F3", "femur moment 3", MOMENT, "D0FEMRUP00PFMOX0"),
-    ChannelKind("T1", "tibia moment 1", MOMENT, "D0TIBIUP00PFMOX0"),
-    ChannelKind("T2", "tibia moment 2", MOMENT, "D0TIBIMIUPPFMOX0"),
-    ChannelKind("T3", "tibia moment 3", MOMENT, "D0TIBIMILOPFMOX0"),
-    ChannelKind("T4", "tibia moment 4", MOMENT, "D0TIBILO00PFMOX0"),
-    ChannelKind("MCL", "MCL elongation", ELONGATION, "D0KNEEMC00PFDC00"),
-    ChannelKind("LCL", "LCL elongation", ELONGATION, "D0KNEELC00PFDC00"),
-    ChannelKind("ACL", "ACL elongation", ELONGATION, "D0KNEEAC00PFDC00"),
-    ChannelKind("PCL", "PCL elongation", ELONGATION, "D0KNEEPC00PFDC00"),
-    ChannelKind("knee acceleration", "knee acceleration", ACCELERATION, "D0KNEE0000PFACY0"),
-    ChannelKind("knee bend", "knee bending angle", ANGLE, "D0KNEE0000PFANX0"),
-    ChannelKind("knee shear", "knee shear displacement", DISPLACEMENT, "D0KNEE0000PFDSY0"),
-    ChannelKind("contact force", "contact force", FORCE, "T0IMPA000000FOY0"),
-    ChannelKind("hinge force", "hinge force", FORCE, "T0HING000000FOR0"),
-    ChannelKind("ram force", "ram force", FORCE, "T0IMPA000000FOZ0"),
-    ChannelKind("ram travel", "ram travel", DISPLACEMENT, "T0IMPA000000DSZ0"),
-    ChannelKind("mid moment", "moment at mid-span", MOMENT, "C0BONE0000PFMOX0"),
-    ChannelKind("mid deflection", "deflection at mid-span", DISPLACEMENT, "C0BONE0000PFDSZ0"),
+    ChannelKind("F1", "femur moment 1", MOMENT),
+    ChannelKind("F2", "femur moment 2", MOMENT),
+    ChannelKind("F3", "femur moment 3", MOMENT),
+    ChannelKind("T1", "tibia moment 1", MOMENT),
+    ChannelKind("T2", "tibia moment 2", MOMENT),
+    ChannelKind("T3", "tibia moment 3", MOMENT),
+    ChannelKind("T4", "tibia moment 4", MOMENT),
+    ChannelKind("MCL", "MCL elongation", ELONGATION),
+    ChannelKind("LCL", "LCL elongation", ELONGATION),
+    ChannelKind("ACL", "ACL elongation", ELONGATION),
+    ChannelKind("PCL", "PCL elongation", ELONGATION),
+    ChannelKind("knee acceleration", "knee acceleration", ACCELERATION),
+    ChannelKind("knee bend", "knee bending angle", ANGLE),
+    ChannelKind("knee shear", "knee shear displacement", DISPLACEMENT),
+    ChannelKind("contact force", "contact force", FORCE),
+    ChannelKind("hinge force", "hinge force", FORCE),
+    ChannelKind("ram force", "ram force", FORCE),
+    ChannelKind("ram travel", "ram travel", DISPLACEMENT),
+    ChannelKind("mid moment", "moment at mid-span", MOMENT),
+    ChannelKind("mid deflection", "deflection at mid-span", DISPLACEMENT),
 )
 
 CHANNELS = MappingProxyType({kind.name: kind for kind in _KINDS})

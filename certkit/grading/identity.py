@@ -17,9 +17,10 @@ def canonical(result: Result) -> bytes:
     """Return the bytes that are hashed: JSON in the schema's order, without what depends on clock or machine.
 
     Left out are the id itself, the solver's time and the versions of other packages. Two runs with the same
-    inputs and the same version of certkit have the same bytes.
+    inputs and the same version of certkit have the same bytes. Fields with their default value are left out
+    too, so that a later certkit, whose document has more fields, comes to the same id.
     """
-    return result.model_dump_json(exclude=LEFT_OUT).encode()
+    return result.model_dump_json(exclude=LEFT_OUT, exclude_defaults=True).encode()
 
 
 def certificate_id(result: Result) -> str:

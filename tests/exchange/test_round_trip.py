@@ -15,7 +15,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from certkit.definitions.mapping import Mapping
+from certkit.definitions.vocabulary import CHANNELS
 from certkit.errors import DataError, UsageError
+from certkit.exchange.codes import code_table
 from certkit.exchange.csv_read import read_csv
 from certkit.exchange.csv_write import csv_text, write_csv
 from certkit.exchange.mme_write import write_mme
@@ -206,3 +208,11 @@ def test_columns_that_are_not_mapped_may_hold_anything(tmp_path: Path):
     path.write_text(path.read_text().replace("0.01,yes", "0.01,yes,yes"))
     with pytest.raises(DataError, match=r"lab\.csv:12: 4 values where 3 values"):
         read_csv(path, mapping)
+
+
+def test_every_channel_has_a_code_that_means_it_alone():
+    table = code_table()
+    assert set(table.codes) == set(CHANNELS)
+    for name in CHANNELS:
+        for filtered in ("", "CFC 180"):
+            assert table.channel(table.code(name, filtered)) == name
