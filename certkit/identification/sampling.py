@@ -19,6 +19,13 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 DEFAULT_WINDOW = 1e-3
+FEWEST = 5
+"""Samples that a cubic filter needs to do anything."""
+
+CLEAN = 5e-4
+"""A derivative that smoothing over `FEWEST` samples changes by less than this share of its peak (rms) holds no noise, and a wide
+window would only blur its corners. Explicit finite-element runs lie above it, integrated equations of motion below."""
+
 MOST_SAMPLES = 200_000
 
 
@@ -50,17 +57,23 @@ class Grid:
         return np.interp(self.time, self.raw, values)
 
     def smooth(self, values: Values) -> Values:
-        """Smooth with a cubic Savitzky–Golay filter over the window; shorter windows than 5 samples leave values alone."""
-        from scipy.signal import savgol_filter  # noqa: PLC0415  # 0.9 s, only here
-
-        width = int(round(self.window / self.step)) // 2 * 2 + 1
-        if width < 5:
-            return values
-        return np.asarray(savgol_filter(values, min(width, (values.size - 1) // 2 * 2 + 1), 3))
+        """Smooth with a cubic Savitzky–Golay filter over the window; below `FEWEST` samples it leaves values alone."""
+        return _smoothed(values, round(self.window / self.step) // 2 * 2 + 1)
 
     def derivative(self, values: Values) -> Values:
-        """Differentiate: central difference, then smoothing."""
-        return self.smooth(np.gradient(values, self.step))
+        """Differentiate: central difference, then smoothing, which is kept short where there is no noise."""
+        raw = np.asarray(np.gradient(values, self.step))
+        short = _smoothed(raw, FEWEST)
+        noise = float(np.sqrt(np.mean((raw - short) ** 2)))
+        return short if noise < CLEAN * float(np.max(np.abs(raw))) else self.smooth(raw)
+
+
+def _smoothed(values: Values, width: int) -> Values:
+    from scipy.signal import savgol_filter  # noqa: PLC0415  # 0.9 s, only here
+
+    if width < FEWEST:
+        return values
+    return np.asarray(savgol_filter(values, min(width, (values.size - 1) // 2 * 2 + 1), 3))
 
 
 def make_grid(raw: Values, *, window: float | None, until: float | None) -> Grid:
