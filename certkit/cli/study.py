@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
-
-if TYPE_CHECKING:
-    from certkit.studies.study import Findings
 
 Document = Annotated[str, typer.Argument(metavar="STUDY.yaml", help="The study: a file, or a shipped name.")]
 Processes = Annotated[
@@ -46,7 +43,7 @@ def study(
     from certkit.cli.counting import counting  # noqa: PLC0415  # waits until a study is run
     from certkit.definitions.library import load  # noqa: PLC0415  # likewise
     from certkit.definitions.study import Study  # noqa: PLC0415  # likewise
-    from certkit.studies.carry import carry_and_write  # noqa: PLC0415  # likewise
+    from certkit.studies.carry import carry_and_write, optimise_and_write  # noqa: PLC0415  # likewise
 
     shelves = tuple(library or ())
     sheet = load("study", document, library=shelves).document
@@ -56,15 +53,12 @@ def study(
     if fresh:
         (folder / "runs.jsonl").unlink(missing_ok=True)
     formats = [word.strip() for word in table.split(",") if word.strip()]
+    carry = optimise_and_write if sheet.optimise else carry_and_write
     with counting(sheet.study, quiet=quiet or as_json) as progress:
-        findings, text = carry_and_write(
+        found, text = carry(
             sheet, folder, formats, library=shelves, processes=processes, cluster=cluster, progress=progress
         )
-    typer.echo(text if as_json else findings.words(), nl=not as_json)
+    typer.echo(text if as_json else found.words(), nl=not as_json)
     if not as_json:
         typer.echo(f"table and report in {folder}", err=True)
-    raise typer.Exit(_code(findings))
-
-
-def _code(findings: Findings) -> int:
-    return 3 if findings.failed == len(findings.table) else 0
+    raise typer.Exit(3 if (found.table["error"] != "").all() else 0)

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from certkit.files import write_whole
-from certkit.studies.pages import study_page
-from certkit.studies.study import study
+from certkit.studies.optimise import limits_of, optimise
+from certkit.studies.pages import optimum_page, study_page
+from certkit.studies.runs import Runs
+from certkit.studies.study import set_up, study
 from certkit.studies.table import write_table
 
 if TYPE_CHECKING:
@@ -15,10 +18,41 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.definitions.study import Study
+    from certkit.studies.optimise import Optimum
     from certkit.studies.runs import Progress
     from certkit.studies.study import Findings
 
 JOURNAL = "runs.jsonl"
+
+
+def optimise_and_write(
+    sheet: Study,
+    folder: Path,
+    formats: Collection[str],
+    *,
+    library: Sequence[Path] = (),
+    processes: int | None = None,
+    cluster: str | None = None,
+    progress: Progress | None = None,
+) -> tuple[Optimum, str]:
+    """Carry an optimisation out and write its table, what it found and its page; see `carry_and_write`."""
+    trial, factors = set_up(sheet, library)
+    held = limits_of(trial)
+    with Runs(
+        trial,
+        context=trial.context,
+        journal=folder / JOURNAL,
+        processes=processes,
+        cluster=cluster,
+        progress=progress,
+    ) as runs:
+        found = replace(optimise(sheet, factors, held, runs), output_units=trial.output_units())
+    units = {factor.name: factor.unit for factor in found.factors}
+    write_table(found.table, folder, "table", {**units, **found.output_units}, formats)
+    text = json.dumps(found.document(), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
+    write_whole(folder / "optimum.json", text)
+    write_whole(folder / "optimum.html", optimum_page(found))
+    return found, text
 
 
 def carry_and_write(

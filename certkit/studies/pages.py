@@ -10,6 +10,7 @@ from certkit.studies.factors import Levels
 
 if TYPE_CHECKING:
     from certkit.studies.factors import Factor
+    from certkit.studies.optimise import Optimum
     from certkit.studies.quick_model import QuickModel
     from certkit.studies.study import Findings
 
@@ -94,6 +95,42 @@ def _has_words(factor: Factor) -> bool:
 
 def _is_quality(output: str) -> bool:
     return output.endswith((" %", " mm"))
+
+
+def optimum_page(optimum: Optimum) -> str:
+    """Return the page of an optimisation: best settings, their values, and the trade-off of two aims."""
+    row = optimum.table.iloc[optimum.best]
+    units = optimum.output_units
+    settings = [
+        {**_range(factor), "best": f"{row[factor.name]:.6g} {factor.unit}".rstrip()}
+        for factor in optimum.factors
+    ]
+    shown = [name for name in units if name in optimum.table and not name.endswith(" margin")]
+    outputs = [{"name": name, "value": float(row[name]), "unit": units[name]} for name in shown]
+    return sheet(
+        "optimum.html.j2",
+        optimum.title,
+        optimum=optimum,
+        settings=settings,
+        outputs=outputs,
+        curve=_trade_off(optimum),
+    )
+
+
+def _trade_off(optimum: Optimum) -> str:
+    if not optimum.curve:
+        return ""
+    first, second = (aim.output for aim in optimum.aims)
+    rows = optimum.table[[first, second]].dropna()
+    line = [
+        (float(x), float(y)) for x, y in optimum.table.loc[list(optimum.curve), [first, second]].to_numpy()
+    ]
+    names = (
+        _with_unit(first, optimum.output_units.get(first, "")),
+        _with_unit(second, optimum.output_units.get(second, "")),
+    )
+    x, y = ([float(v) for v in rows[name]] for name in (first, second))
+    return dots(x, y, "Trade-off of two aims", names, line)
 
 
 def fit_page(report: dict[str, Any]) -> str:

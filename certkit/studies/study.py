@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.library import load
 from certkit.definitions.study import Study
+from certkit.errors import UsageError
 from certkit.reporting.plaintext import aligned
 from certkit.studies.designs import (
     correlation_matrix,
@@ -156,8 +157,10 @@ def study(
         When parameters and definitions do not fit together, before anything is run.
     """
     sheet = document if isinstance(document, Study) else load("study", document, library=library).document
-    if not isinstance(sheet, Study) or sheet.design is None:
-        raise TypeError("only a study with a design can be carried out; an optimisation is searched")
+    if not isinstance(sheet, Study):
+        raise TypeError("not a study")
+    if sheet.design is None:
+        raise UsageError("only a study with a design can be carried out; an optimisation is searched")
     trial, factors = set_up(sheet, library)
     with Runs(
         trial,

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     Tell = Callable[[str], None]
     """Called with a sentence on how far the search has come."""
 
-STEP = 2e-3
+STEP = 5e-3
 """Share of a parameter's range by which it is moved to see what it does."""
 
 CLOUD = 0.1

@@ -1,0 +1,163 @@
+"""A fit comes nearer to its targets, says what it does not know, and goes on where it was."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pytest
+
+from certkit.definitions.fit import Fit
+from certkit.definitions.library import load
+from certkit.errors import UsageError
+from certkit.studies.calibration.carry import carry_and_write
+from certkit.studies.calibration.fit import make_ready
+from certkit.studies.calibration.kin import passes
+from certkit.studies.calibration.knowledge import LEARNT, knowledge
+from certkit.studies.calibration.space import Axis, Space
+from certkit.studies.points import Outcome
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+SHEET: dict[str, Any] = {
+    "fit": "two-numbers",
+    "title": "Two numbers of the inverse test",
+    "legform": "flex-pli-gtr",
+    "parameters": [
+        {
+            "path": "legform.femur.bending stiffness",
+            "with": ["legform.tibia.bending stiffness"],
+            "lower": "100 N·m²",
+            "upper": "250 N·m²",
+            "reason": "for the test",
+        },
+        {
+            "path": "rig.ram.width on knee",
+            "procedure": "inverse",
+            "lower": "50 mm",
+            "upper": "150 mm",
+            "scale": "logarithmic",
+            "reason": "for the test",
+        },
+    ],
+    "targets": [{"procedure": "inverse", "criteria": ["T1", "MCL"]}],
+    "search": {"generations": 0, "steps": 6, "pull": 0.0},
+    "family": {"walkers": 6, "steps": 4},
+}
+
+
+def changed(**parts: Any) -> Fit:  # noqa: ANN401
+    return Fit.model_validate({**SHEET, **parts})
+
+
+def test_a_fit_comes_nearer_and_its_files_give_what_it_says(tmp_path: Path) -> None:
+    carry_and_write(make_ready(changed()), tmp_path, processes=1)
+    report = json.loads((tmp_path / "fit.json").read_text())
+    assert report["rms_after"] < report["rms_before"]
+    leg = load("legform", tmp_path / "flex-pli-gtr.yaml").document
+    assert leg.femur.bending_stiffness == leg.tibia.bending_stiffness
+    assert leg.femur.bending_stiffness.confidence == "calibrated"
+    assert "two-numbers" in leg.femur.bending_stiffness.source
+    # The written files, run again, give the values of the report to the last bit.
+    again = make_ready(
+        changed(legform=str(tmp_path / "flex-pli-gtr.yaml"), search={"generations": 0, "steps": 0}),
+        [tmp_path],
+    )
+    outputs = again.trial(again.space.point(again.space.start))
+    for value in report["values"]:
+        assert outputs[value["name"]] == value["after"]
+
+
+def test_an_interrupted_fit_ends_where_an_uninterrupted_one_ends(tmp_path: Path) -> None:
+    sheet = changed(search={"generations": 2, "population": 5, "steps": 2, "pull": 0.2})
+    whole, halved = tmp_path / "whole", tmp_path / "halved"
+    carry_and_write(make_ready(sheet), whole, processes=1)
+
+    class Interrupted(Exception):  # noqa: N818
+        pass
+
+    told = 0
+
+    def interrupt(words: str) -> None:
+        nonlocal told
+        told += 1
+        if "generation 2" in words:
+            raise Interrupted
+
+    with pytest.raises(Interrupted):
+        carry_and_write(make_ready(sheet), halved, processes=1, tell=interrupt)
+    before = (halved / "runs.jsonl").read_bytes()
+    carry_and_write(make_ready(sheet), halved, processes=1)
+    assert (halved / "runs.jsonl").read_bytes().startswith(before)
+    for name in ("fit.json", "flex-pli-gtr.yaml", "inverse.yaml", "runs.jsonl"):
+        assert (halved / name).read_bytes() == (whole / name).read_bytes()
+
+
+def test_every_member_of_a_family_passes_when_it_is_run_again(tmp_path: Path) -> None:
+    sheet = changed(
+        parameters=[{**SHEET["parameters"][0], "with": [], "lower": "140 N·m²", "upper": "160 N·m²"}],
+        search={"generations": 0, "steps": 0},
+    )
+    task = make_ready(sheet)
+    carry_and_write(task, tmp_path, processes=1, family=3)
+    family = load("family", tmp_path / "families" / "flex-pli-gtr.yaml").document
+    assert len({tuple(member.values.items()) for member in family.members}) == 3
+    for member in family.members:
+        own = [f"legform.{path}={value}" for path, value in member.values.items()]
+        trial = type(task.trial)(task.trial.procedures, fixed=(*task.trial.fixed, *own))
+        assert trial({})["inverse/verdict"] == "pass"
+
+
+def test_a_run_that_failed_or_cannot_be_trusted_does_not_pass() -> None:
+    assert passes(Outcome({"p/verdict": "pass"}), ("p",))
+    assert not passes(Outcome({"p/verdict": "error"}), ("p",))
+    assert not passes(Outcome({"p/verdict": "fail"}), ("p",))
+    assert not passes(Outcome({}, "it failed"), ("p",))
+
+
+def test_what_the_tests_do_not_touch_is_left_open() -> None:
+    space = Space((Axis("seen", "mm", 0.0, 10.0, 5.0), Axis("unseen", "kg", 0.0, 2.0, 1.0)))
+    known = knowledge(space, np.array([0.5, 0.5]), np.array([[8.0, 0.0]]))
+    assert known.undetermined == ["unseen"]
+    assert known.narrowed["seen"] < 0.3 < LEARNT
+    # Only the bounds are known: a uniform distribution over 2 kg.
+    assert known.deviations["unseen"] == pytest.approx(2 / 12**0.5)
+    assert [dict(d.parts) for d in known.open] == [{"unseen": pytest.approx(1.0)}]
+
+
+def test_two_parameters_that_only_act_together_are_told_as_a_direction() -> None:
+    space = Space((Axis("a", "mm", 0.0, 1.0, 0.5), Axis("b", "mm", 0.0, 1.0, 0.5)))
+    known = knowledge(space, np.array([0.5, 0.5]), np.array([[30.0, 30.0]]))
+    assert known.correlations[0][2] < -0.9
+    assert dict(known.open[0].parts) == {
+        "a": pytest.approx(0.707, abs=1e-3),
+        "b": pytest.approx(-0.707, abs=1e-3),
+    }
+
+
+def test_a_logarithmic_axis_goes_by_ratios_and_back() -> None:
+    axis = Axis("a", "N", 1.0, 100.0, 10.0, logarithmic=True)
+    assert axis.value(0.5) == 10.0
+    assert axis.share(axis.value(0.25)) == pytest.approx(0.25, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("parts", "message"),
+    [
+        (
+            {"parameters": [{**SHEET["parameters"][0], "path": "legform.femur.stiffness"}]},
+            "no number of this path",
+        ),
+        ({"parameters": [{**SHEET["parameters"][0], "lower": "240 N·m²"}]}, "outside its bounds"),
+        ({"parameters": [{**SHEET["parameters"][0], "lower": "100 N"}]}, "in N"),
+        ({"targets": [{"procedure": "inverse", "criteria": ["T9"]}]}, "no criterion `T9`"),
+        ({"targets": [{"procedure": "inverse", "criteria": ["LCL"]}]}, "nothing says where it should be"),
+    ],
+)
+def test_a_fit_that_makes_no_sense_is_refused_before_anything_is_run(
+    parts: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(UsageError, match=message):
+        make_ready(changed(**parts))

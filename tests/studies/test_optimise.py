@@ -1,0 +1,108 @@
+"""An optimisation finds what is known to be best, and keeps limits it was given."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from certkit.definitions.study import Study
+from certkit.errors import RunError, UsageError
+from certkit.studies.factors import Factor, Normal, Uniform
+from certkit.studies.optimise import Limit, Optimum, limits_of, optimise
+from certkit.studies.pages import optimum_page
+from certkit.studies.runs import Runs
+from certkit.studies.trial import Trial
+
+AB = [Factor("a", "mm", Uniform(0.0, 10.0), 1.0), Factor("b", "", Uniform(0.0, 10.0), 1.0)]
+HELD = {"p/T1": Limit(None, 10.0)}
+
+
+def bowl(point: Any) -> Any:  # noqa: ANN401
+    """T1 rises with a, cost falls with it: the limit decides."""
+    a, b = float(point["a"]), float(point["b"])
+    return {"p/T1": 2 * a + (b - 3) ** 2, "cost": 20 - a, "weight": 1 + b}
+
+
+def searched(
+    evaluations: int = 800,
+    margin: str = "10 %",
+    aims: tuple[str, ...] = ("cost",),
+    **how: Any,  # noqa: ANN401
+) -> Optimum:
+    sheet = Study.model_validate(
+        {
+            "study": "toy",
+            "title": "A toy",
+            "procedures": ["p"],
+            "parameters": [{"path": f.name, "uniform": [0, 10]} for f in AB],
+            "optimise": {"margin": margin, "aims": [{"output": a} for a in aims], "evaluations": evaluations},
+        }
+    )
+    with Runs(how.get("evaluate", bowl), processes=1) as runs:
+        found = optimise(sheet, how.get("factors", AB), HELD, runs)
+        assert len(found.table) <= evaluations
+        return found
+
+
+def test_the_best_lies_on_the_limit_with_its_margin() -> None:
+    found = searched()
+    row = found.table.iloc[found.best]
+    assert found.keeps
+    assert row["p/T1"] <= 9.0
+    assert row["a"] == pytest.approx(4.5, abs=0.1)
+    assert row["b"] == pytest.approx(3.0, abs=0.5)
+
+
+def test_without_an_aim_the_tightest_limit_is_made_as_wide_as_it_can_be() -> None:
+    found = searched(aims=())
+    row = found.table.iloc[found.best]
+    assert (row["a"], row["b"]) == (pytest.approx(0.0, abs=0.1), pytest.approx(3.0, abs=0.3))
+    assert found.slack == pytest.approx(0.9, abs=0.02)
+
+
+def test_a_trade_off_rises_in_one_aim_as_it_falls_in_the_other() -> None:
+    found = searched(evaluations=1400, aims=("cost", "weight"))
+    curve = found.table.iloc[list(found.curve)]
+    assert len(curve) >= 5
+    assert curve["cost"].is_monotonic_increasing
+    assert curve["weight"].is_monotonic_decreasing
+    assert (curve["p/T1"] <= 9.0).all()
+    assert "Trade-off" in optimum_page(found)
+
+
+def test_limits_that_cannot_be_kept_are_said_so() -> None:
+    found = searched(evaluations=100, margin="120 %")
+    assert not found.keeps
+    assert found.words().startswith("no settings keep all limits")
+
+
+def test_the_same_seed_walks_the_same_way() -> None:
+    assert searched(evaluations=60).table.equals(searched(evaluations=60).table)
+
+
+def failing(_: Any) -> Any:  # noqa: ANN401
+    raise ValueError("never")
+
+
+def test_nothing_that_ran_is_an_error_not_an_optimum() -> None:
+    with pytest.raises(RunError, match="not a single run"):
+        searched(evaluations=20, evaluate=failing)
+
+
+def test_only_ranges_can_be_searched() -> None:
+    with pytest.raises(UsageError, match="uniform"):
+        searched(evaluations=20, factors=[AB[0], Factor("b", "", Normal(1.0, 0.1))])
+
+
+def test_a_value_has_to_stay_inside_on_both_sides() -> None:
+    limit = Limit(100.0, 200.0)
+    assert limit.slack(150.0, 0.1) == pytest.approx(0.15)
+    assert limit.slack(105.0, 0.1) == pytest.approx(-0.05)
+    assert limit.slack(195.0, 0.0) == pytest.approx(0.025)
+
+
+def test_the_limits_are_those_of_the_corridors() -> None:
+    held = limits_of(Trial(("vehicle", "inverse")))
+    assert held["vehicle/T1"] == Limit(None, 340.0)
+    assert held["inverse/T1"] == Limit(230.0, 272.0)
