@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.bench.regrade import embedded_shelf
 from certkit.bench.sources import Source, load_source
 from certkit.definitions.library import load
 from certkit.grading.comparison_document import Side
@@ -55,8 +56,7 @@ def compare(
         When a source cannot be read, or they share nothing.
     """
     first, second = (load_source(path, mapping, lenient=lenient) for path in (a, b))
-    named = procedure or next((s.result.procedure for s in (first, second) if s.result), None)
-    sheet = load("procedure", named, library=library).document if named else None
+    sheet = _procedure(procedure, (first, second), library)
     if first.recording.kind == "simulated" and second.recording.kind == "measured":
         first, second = second, first
     labels = _labels(first, second)
@@ -65,6 +65,15 @@ def compare(
         _test(second, labels[1], sheet, lenient=lenient),
         until=until,
     )
+
+
+def _procedure(named: str | Path | None, sources: tuple[Source, ...], library: Library) -> Procedure | None:
+    """Return the procedure that is named, else the one that a result carries."""
+    if named is not None:
+        return load("procedure", named, library=library).document
+    for result in (source.result for source in sources if source.result):
+        return load("procedure", result.procedure, library=(*library, embedded_shelf(result))).document
+    return None
 
 
 def _test(source: Source, label: str, sheet: Procedure | None, *, lenient: bool) -> Test:
