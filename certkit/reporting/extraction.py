@@ -124,16 +124,17 @@ def _drawings(path: PathResult, times: list[float], *, head: str = "") -> list[s
     forces: list[Line] = [("from momentum", times, path.force)]
     if path.recorded_force is not None:
         forces.append(("recorded contact", times, path.recorded_force))
-    shortening = [v * 1e3 for v in path.shortening]
-    laws: list[Line] = [("history", shortening, path.force)]
+    shortening, pushed = _pushing([v * 1e3 for v in path.shortening], path.force)
+    laws: list[Line] = [("history", shortening, pushed)]
     if path.law:
-        laws.append(("law", [v * 1e3 for v in path.law.shortening], path.law.force))
+        law = ([v * 1e3 for v in path.law.shortening], path.law.force)
+        laws.append(("law", *_up_to(1.1 * max(shortening, default=0.0), *law)))
     size = {"width": WIDTH, "height": HEIGHT}
     drawn = [
         lines_chart([("impulse", times, path.impulse)], head or "Impulse", "ms", "N·s", **size),
         lines_chart(forces, head or "Force", "ms", "N", **size),
     ]
-    if any(shortening):  # a contact between groups that merely touch has none
+    if any(path.shortening):  # a contact between groups that merely touch has none
         drawn.append(lines_chart(laws, head or "Stiffness", "shortening, mm", "N", **size))
     return drawn
 
@@ -141,10 +142,23 @@ def _drawings(path: PathResult, times: list[float], *, head: str = "") -> list[s
 def _material(material: MaterialResult) -> str:
     lines: list[Line] = [("extracted", material.strain, [v / 1e6 for v in material.stress])]
     if material.unloading_strain:
-        unloading = [v / 1e6 for v in material.unloading_stress]
-        lines.append(("extracted, unloading", material.unloading_strain, unloading))
+        unloading = _pushing(material.unloading_strain, material.unloading_stress)
+        lines.append(("extracted, unloading", unloading[0], [v / 1e6 for v in unloading[1]]))
     if material.reference_strain:
-        lines.append(
-            ("material's own curve", material.reference_strain, [v / 1e6 for v in material.reference_stress])
-        )
+        farthest = 1.1 * max(material.strain, default=0.0)
+        own = _up_to(farthest, material.reference_strain, material.reference_stress)
+        lines.append(("material's own curve", own[0], [v / 1e6 for v in own[1]]))
     return lines_chart(lines, "Stress over strain", "engineering strain", "MPa")
+
+
+def _pushing(xs: Sequence[float], ys: Sequence[float]) -> tuple[list[float], list[float]]:
+    """Leave out how two groups fly apart: far, and without a force worth drawing."""
+    least = 0.01 * max((abs(y) for y in ys), default=0.0)
+    kept = [(x, y) for x, y in zip(xs, ys, strict=True) if x >= 0 or abs(y) > least]
+    return [x for x, _ in kept], [y for _, y in kept]
+
+
+def _up_to(end: float, xs: Sequence[float], ys: Sequence[float]) -> tuple[list[float], list[float]]:
+    """Cut a law where the test ended: what it says beyond would squeeze what was seen."""
+    kept = [(x, y) for x, y in zip(xs, ys, strict=True) if x <= end]
+    return [x for x, _ in kept], [y for _, y in kept]

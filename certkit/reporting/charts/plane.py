@@ -29,7 +29,10 @@ def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: 
             stroke_dasharray="5 3",
             class_="corridor limit",
         )
-    drawn += frame.axes(title, f"{curve.x_title}, {curve.x_unit}", f"{curve.y_title}, {curve.y_unit}")
+    ordinate = f"{curve.y_title}, {curve.y_unit}"
+    if 6.6 * (len(title) + len(ordinate)) > width - 12:
+        ordinate = curve.y_unit  # beside a long title there is room for the unit alone
+    drawn += frame.axes(title, f"{curve.x_title}, {curve.x_unit}", ordinate)
     drawn += tag(
         "path",
         d=path(frame.place(*p) for p in curve.points),
@@ -44,9 +47,12 @@ def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: 
         for a, b in (curve.points if len(curve.points) <= 60 else [])
     )
     if not curve.polygon:
+        # A curve that runs low on the right leaves its room above.
+        lowest = max((frame.y(b) for a, b in curve.points if 2 * a > x[0] + x[1]), default=frame.top)
+        runs_low = lowest > frame.bottom - 30
         drawn += label(
             frame.right - 4,
-            frame.bottom - 18,
+            frame.top + 12 if runs_low else frame.bottom - 18,
             "no corridor known: shown, not graded",
             text_anchor="end",
             fill=palette.MUTED,
