@@ -19,6 +19,7 @@ import chain  # noqa: E402  # the folder is found first
 import growth  # noqa: E402  # the folder is found first
 import many  # noqa: E402  # the folder is found first
 import measured  # noqa: E402  # the folder is found first
+import reports  # noqa: E402  # the folder is found first
 import shell  # noqa: E402  # the folder is found first
 from clock import Row, reference_loop  # noqa: E402  # likewise
 
@@ -28,6 +29,7 @@ PARTS = {
     "many": many.rows,
     "growth": growth.rows,
     "measured": measured.rows,
+    "reports": reports.rows,
 }
 
 

@@ -7,6 +7,7 @@ fetched.
 from __future__ import annotations
 
 import warnings
+import zlib
 from typing import TYPE_CHECKING, Any
 
 from certkit.errors import RunError
@@ -87,12 +88,18 @@ def _fetcher(module: Any) -> Any:  # noqa: ANN401  # likewise
 
 
 def _finish(document: Any, pdf: Any) -> None:  # noqa: ANN401  # likewise
-    """Label the pages 1, 2, 3 …, as printed, and name each attachment once: WeasyPrint 70 names it twice."""
+    """Label the pages 1, 2, 3 … as printed, name each attachment once (WeasyPrint does it twice), pack it once."""
     import pydyf  # noqa: PLC0415  # comes with WeasyPrint
 
     del document
     labels = pydyf.Dictionary({"Nums": pydyf.Array([0, pydyf.Dictionary({"S": "/D"})])})
     pdf.catalog["PageLabels"] = labels
+    for part in pdf.objects:
+        # pydyf packs a stream anew each time it is asked for its bytes, which is three times.
+        if isinstance(part, pydyf.Stream) and part.extra.get("Type") == "/EmbeddedFile":
+            part.stream = [zlib.compress(b"".join(part.stream), 6)]
+            part.extra["Filter"] = "/FlateDecode"
+            part.compress = False
     if "AF" in pdf.catalog:
         pdf.catalog["AF"] = pydyf.Array(dict.fromkeys(pdf.catalog["AF"]))
 

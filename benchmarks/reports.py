@@ -1,0 +1,31 @@
+"""Report time: HTML and PDF of one procedure, over a plain page with as many figures by WeasyPrint."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from clock import Row, processor_seconds
+from weasyprint import HTML
+
+from certkit import bench
+from certkit.reporting import render
+from certkit.reporting.view import view
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+
+def rows() -> Iterator[Row]:
+    """Yield the time of the plain page, that of our reports, and their ratio."""
+    result = bench.run("pendulum")
+    shown = view(result)
+    figures = [drawing.svg for drawing in shown.histories + shown.planes]
+    figures += [drawing for drawing in (shown.frames, shown.errors, shown.energies) if drawing]
+    plain_page = "<html><body>" + "".join(f"<p>Figure</p>{figure}" for figure in figures) + "</body></html>"
+    with tempfile.TemporaryDirectory() as folder:
+        plain = processor_seconds(lambda: HTML(string=plain_page).write_pdf())
+        ours = processor_seconds(lambda: render(result, Path(folder), ["html", "pdf"]))
+    yield Row(f"WeasyPrint sets a plain page with {len(figures)} figures", plain, "s")
+    yield Row("HTML and PDF of the pendulum test, over that page", ours / plain, "", 4)
