@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from certkit.definitions.document import Section
+from certkit.definitions.faults import Fault, Faults
 from certkit.definitions.origin import Damping, Force, Length, Mass, Ratio, Stiffness
 
 
@@ -21,6 +22,23 @@ class Group(Section):
     low: Annotated[Length | None, Field(description="Lower end of the face; none: never touched.")] = None
     high: Annotated[Length | None, Field(description="Upper end of the face.")] = None
     slope: Annotated[Ratio | None, Field(description="dx/dz of the face.")] = None
+
+    @model_validator(mode="after")
+    def _whole(self) -> Self:
+        faults: list[Fault] = []
+        given = [value is not None for value in (self.low, self.high, self.position)]
+        if any(given) and not all(given):
+            faults.append(
+                (
+                    (),
+                    "a face has low, high and position; give all three, or none for a group that is not touched",
+                )
+            )
+        if self.low is not None and self.high is not None and self.high <= self.low:
+            faults.append((("high",), "`high` is not above `low`; swap them"))
+        if faults:
+            raise Faults(faults)
+        return self
 
 
 class Bottoming(Section):
@@ -44,12 +62,40 @@ class Connection(Section):
     ]
     loading: Annotated[list[tuple[Length, Force]], Field(min_length=2, max_length=500)]
     unloading: Stiffness | None = None
-    residual: Annotated[Ratio | None, Field(description="Share of the largest force that stays; 0 when missing.")] = None
-    permanent_set: Annotated[Ratio | None, Field(description="Share of the largest shortening that stays.")] = None
+    residual: Annotated[
+        Ratio | None, Field(description="Share of the largest force that stays; 0 when missing.")
+    ] = None
+    permanent_set: Annotated[
+        Ratio | None, Field(description="Share of the largest shortening that stays.")
+    ] = None
     damping: Damping | None = None
     gap: Annotated[Length | None, Field(description="Free travel before the spring acts.")] = None
     tension: Annotated[bool, Field(description="Whether the spring also pulls.")] = False
     bottoming: Bottoming | None = None
+
+    @model_validator(mode="after")
+    def _possible(self) -> Self:
+        faults: list[Fault] = []
+        for index, ((x, force), (before, _)) in enumerate(
+            zip(self.loading[1:], self.loading, strict=False), 1
+        ):
+            if x <= before:
+                faults.append(
+                    (("loading", index), "the curve's shortenings have to rise from point to point")
+                )
+            if x > 0 > force:
+                faults.append(
+                    (
+                        ("loading", index),
+                        "the spring pulls where it is pressed; give it a force of zero or above",
+                    )
+                )
+        for name, share in (("residual", self.residual), ("permanent set", self.permanent_set)):
+            if share is not None and not 0 <= share < 1:
+                faults.append(((name,), "a share lies between 0 and 1"))
+        if faults:
+            raise Faults(faults)
+        return self
 
 
 class Vehicle(Section):
@@ -61,3 +107,17 @@ class Vehicle(Section):
     connections: Annotated[list[Connection], Field(min_length=1, max_length=2000)]
     friction: Annotated[Ratio | None, Field(description="Between the leg and the faces.")] = None
     notes: list[str] = []
+
+    @model_validator(mode="after")
+    def _held(self) -> Self:
+        ends = {end for connection in self.connections for end in connection.between}
+        faults: list[Fault] = [
+            (("groups", name), f"nothing holds `{name}`; connect it, or leave it out")
+            for name in self.groups
+            if name not in ends
+        ]
+        if all(group.position is None for group in self.groups.values()):
+            faults.append((("groups",), "no group has a face (low, high, position): there is nothing to hit"))
+        if faults:
+            raise Faults(faults)
+        return self

@@ -49,7 +49,7 @@ def fit_front(site: Site, vehicle: Vehicle, flight: FreeFlight) -> None:
     Raises
     ------
     RunError
-        When the leg would miss every face, or a group has only half a face.
+        When the leg would miss every face.
     """
     ground = site.leg.bottom - float(flight.end_above_ground)
     strips = face_strips(vehicle, ground)
@@ -90,7 +90,7 @@ def fit_front(site: Site, vehicle: Vehicle, flight: FreeFlight) -> None:
 
 def face_strips(vehicle: Vehicle, ground: float) -> list[Strip]:
     """Cut all faces into strips, from the top; neighbours of one kind share the height between their middles."""
-    faced = [(name, group) for name, group in vehicle.groups.items() if _span(name, group) is not None]
+    faced = [(name, group) for name, group in vehicle.groups.items() if group.position is not None]
     faced.sort(key=lambda item: (item[1].kind, float(item[1].low or 0.0)))
     above: dict[str, str] = {}
     below: dict[str, str] = {}
@@ -112,18 +112,6 @@ def face_strips(vehicle: Vehicle, ground: float) -> list[Strip]:
             share = (z - middles[first]) / (middles[second] - middles[first])
             strips.append(Strip(first, second, share, x, z + ground, (high - low) / count))
     return sorted(strips, key=lambda s: -s.z)
-
-
-def _span(name: str, group: Group) -> tuple[float, float] | None:
-    given = [value is not None for value in (group.low, group.high, group.position)]
-    if group.low is None and group.high is None:
-        return None
-    if not all(given):
-        raise RunError(f"group `{name}` has half a face; give low, high and position, or none of them")
-    low, high = float(group.low or 0.0), float(group.high or 0.0)
-    if high <= low:
-        raise RunError(f"group `{name}`: `high` is not above `low`; swap them")
-    return low, high
 
 
 def _touching(site: Site, strips: list[Strip], angle: float) -> float:
