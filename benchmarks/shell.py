@@ -36,7 +36,7 @@ def rows() -> Iterator[Row]:
     yield Row("inverse test, one simulation without step check", solve, "s")
     yield Row("  as promised for one run of 60 ms (processor time)", solve, "s", 0.15, "most")
     with tempfile.TemporaryDirectory() as folder:
-        environment = {**os.environ, "NUMBA_CACHE_DIR": folder}
+        environment = {**os.environ, "CERTKIT_CACHE": folder}
         cold = wall_seconds(lambda: _certkit("junit", environment), 1)
     yield Row("certkit run --procedure inverse --format junit, cold", cold, "s")
     warm = wall_seconds(lambda: _certkit("junit"), 5)

@@ -1,6 +1,6 @@
 """The planar world on pymunk: time loop, force laws, legform builder, rig fixtures, quality figures.
 
-`simulate` is the way in. Importing this room imports pymunk and numba, so it is imported where it is used.
+`simulate` is the way in. Importing this room imports pymunk, so it is imported where it is used.
 """
 
 from certkit.mechanics.motion import Figure, Motion

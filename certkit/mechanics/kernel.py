@@ -2,28 +2,24 @@
 
 `cpSpaceStep` moves bodies before it changes their speeds, so forces are evaluated where the bodies will be:
 that is the leapfrog scheme, second order and energy-keeping. Damping needs the speed at that same instant,
-which is extrapolated from the last two half steps. All arguments are flat arrays and plain numbers.
+which is extrapolated from the last two half steps.
+
+This module is imported only to compile the loop; `certkit.mechanics.machine_code` loads what came of it. All
+memory comes from outside, and what numpy would say in one line is written out: it compiles in half the time.
 """
 
 from __future__ import annotations
 
-import hashlib
-import math
-from pathlib import Path
-from typing import Any, cast
-
-from numba import njit
-
+from certkit.mechanics.bodies import kinetic_energy, predict, weigh, widest_gap
+from certkit.mechanics.handover import FINISHED, RAN_AWAY, Handover, IndexTable
 from certkit.mechanics.laws import (
     BENDING,
     CABLES,
     CONDYLES,
     CRUSH,
     CUSHION,
-    DRAG,
     FLESH,
     FRONT,
-    GRAVITY,
     LOADING,
     NOSE,
     POINTS,
@@ -43,59 +39,29 @@ from certkit.mechanics.laws.nose import lean
 from certkit.mechanics.laws.spring import stretch
 from certkit.mechanics.laws.supports import carry
 from certkit.mechanics.laws.table import (
-    ANGLE,
     COS,
     DEPTH,
     FORCE,
     POWER,
-    SIN,
     SPENT,
     STORED,
     Floats,
-    Heads,
     Integers,
     Scene,
-    X,
-    Z,
 )
-from certkit.mechanics.native import call_each, call_impulse, call_step
-
-FASTEST = 1e3  # m/s or rad/s: a body beyond it has run away
-
-FINISHED, RAN_AWAY = 0, 1
+from certkit.mechanics.native import call_each, call_impulse, call_step, grid, handed_over
 
 Table = tuple[Integers, Floats, Floats]
 
 
 @compiled
-def table(layout: Integers, law: int, index: Integers, number: Floats, state: Floats) -> Table:
+def table(at: Integers, index: Integers, number: Floats, state: Floats) -> Table:
     """Cut a law's three tables out of the pools. A row of `layout`: rows, then offset and columns of each."""
-    rows, i, ci, n, cn, s, cs = layout[law]
     return (
-        index[i : i + rows * ci].reshape((rows, ci)),
-        number[n : n + rows * cn].reshape((rows, cn)),
-        state[s : s + rows * cs].reshape((rows, cs)),
+        grid(index, at[1], at[0], at[2]),
+        grid(number, at[3], at[0], at[4]),
+        grid(state, at[5], at[0], at[6]),
     )
-
-
-@compiled
-def weigh(  # compiled code takes flat arrays
-    mass: Floats,
-    drag: Floats,
-    gravity: Floats,
-    scene: Scene,
-    load: Floats,
-    ledger: Floats,
-) -> None:
-    """Start each body's load with its weight and mass damping."""
-    pose, rate = scene.pose, scene.rate
-    for i in range(mass.shape[0]):
-        m, damping = mass[i], mass[i] * drag[i]
-        load[i, 0] = m * gravity[0] - damping * rate[i, 0]
-        load[i, 1] = m * gravity[1] - damping * rate[i, 1]
-        load[i, 2] = 0.0
-        ledger[GRAVITY, STORED] -= m * (gravity[0] * pose[i, X] + gravity[1] * pose[i, Z])
-        ledger[DRAG, POWER] += damping * (rate[i, 0] * rate[i, 0] + rate[i, 1] * rate[i, 1])
 
 
 @compiled
@@ -115,56 +81,46 @@ def act(tables: tuple[Table, ...], scene: Scene, load: Floats, ledger: Floats) -
 
 
 @compiled
-def predict(  # compiled code takes flat arrays
-    buffer: Floats,
-    last: Floats,
-    share: float,
-    step: float,
-    pose: Floats,
-    rate: Floats,
-    move: Floats,
-) -> bool:
-    """Carry the bodies in pymunk's `buffer` on by `step`; False when one of them has run away."""
-    sane = True
-    for i in range(pose.shape[0] - 1):
-        for k in range(3):
-            v = buffer[6 * i + 3 + k]
-            move[i, k] = v
-            rate[i, k] = v + share * (v - last[i, k])
-            sane = sane and abs(v) < FASTEST
-        pose[i, X] = buffer[6 * i] + step * move[i, 0]
-        pose[i, Z] = buffer[6 * i + 1] + step * move[i, 1]
-        angle = buffer[6 * i + 2] + step * move[i, 2]
-        pose[i, ANGLE] = angle
-        pose[i, COS] = math.cos(angle)
-        pose[i, SIN] = math.sin(angle)
-    return sane
+def tables_of(layout: IndexTable, index: Integers, number: Floats, state: Floats) -> tuple[Table, ...]:
+    """Cut out the tables of all laws, in their order."""
+    return (
+        table(layout[BENDING], index, number, state),
+        table(layout[CABLES], index, number, state),
+        table(layout[CONDYLES], index, number, state),
+        table(layout[FLESH], index, number, state),
+        table(layout[CUSHION], index, number, state),
+        table(layout[CRUSH], index, number, state),
+        table(layout[SUPPORTS], index, number, state),
+        table(layout[LOADING], index, number, state),
+        table(layout[NOSE], index, number, state),
+        table(layout[FRONT], index, number, state),
+        table(layout[POINTS], index, number, state),
+        table(layout[SPRINGS], index, number, state),
+    )
 
 
 @compiled
-def widest_gap(pose: Floats, pivot: Integers, anchor: Floats) -> float:
-    """Return the largest distance between the two halves of a pivot."""
-    widest = 0.0
-    for i in range(pivot.shape[0]):
-        a, b = pivot[i, 0], pivot[i, 1]
-        dx = pose[a, X] + pose[a, COS] * anchor[i, 0] - pose[a, SIN] * anchor[i, 1]
-        dx -= pose[b, X] + pose[b, COS] * anchor[i, 2] - pose[b, SIN] * anchor[i, 3]
-        dz = pose[a, Z] + pose[a, SIN] * anchor[i, 0] + pose[a, COS] * anchor[i, 1]
-        dz -= pose[b, Z] + pose[b, SIN] * anchor[i, 2] + pose[b, COS] * anchor[i, 3]
-        widest = max(widest, math.sqrt(dx * dx + dz * dz))
-    return widest
+def clear(ledger: Floats) -> None:
+    """Begin a step's books; only what has been spent in sudden amounts goes on."""
+    for b in range(ledger.shape[0]):
+        ledger[b, STORED] = ledger[b, POWER] = ledger[b, FORCE] = ledger[b, DEPTH] = 0.0
 
 
 @compiled
-def kinetic_energy(given: Floats, move: Floats, half: float, mass: Floats, inertia: Floats) -> float:
-    """Return the kinetic energy between two half steps: `move` before the instant, `given` after it."""
-    total = 0.0
-    for i in range(mass.shape[0]):
-        vx = move[i, 0] + half * (given[6 * i + 3] - move[i, 0])
-        vz = move[i, 1] + half * (given[6 * i + 4] - move[i, 1])
-        w = move[i, 2] + half * (given[6 * i + 5] - move[i, 2])
-        total += 0.5 * (mass[i] * (vx * vx + vz * vz) + inertia[i] * w * w)
-    return total
+def spend(ledger: Floats, power: Floats, spent: Floats, half: float) -> None:
+    """Add what the last step dissipated, by the trapezoidal rule, and remember the power."""
+    for b in range(ledger.shape[0]):
+        spent[b] += half * (power[b] + ledger[b, POWER])
+        power[b] = ledger[b, POWER]
+
+
+@compiled
+def hand_back(run: Handover) -> None:
+    """Give pymunk each body's force and torque; guided bodies take none along z."""
+    for i in range(run.mass.shape[0]):
+        run.taken[3 * i] = run.load[i, 0]
+        run.taken[3 * i + 1] = run.load[i, 1] * (1.0 - run.guided[i])
+        run.taken[3 * i + 2] = run.load[i, 2]
 
 
 @compiled
@@ -179,154 +135,111 @@ def add_up(ledger: Floats, spent: Floats, book: Floats) -> tuple[float, float]:
     return force, deepest
 
 
-def march(  # noqa: C901, PLR0912, PLR0913, PLR0915, PLR0917  # one loop, compiled as a whole
-    entry: Integers,
-    counters: Heads,
-    given: Floats,
-    taken: Floats,
-    mass: Floats,
-    inertia: Floats,
-    guided: Floats,
-    drag: Floats,
-    gravity: Floats,
-    outline_body: Integers,
-    outline: Floats,
-    layout: Integers,
-    index: Integers,
-    number: Floats,
-    state: Floats,
-    pivot: Integers,
-    anchor: Floats,
-    schedule: Floats,
-    step: float,
-    plan: Integers,
-    probe: Integers,
-    tracked: Integers,
-    pose: Floats,
-    rate: Floats,
-    move: Floats,
-    load: Floats,
-    ledger: Floats,
-    readings: Floats,
-    tracks: Floats,
-    accelerations: Floats,
-    books: Floats,
-    scalars: Floats,
-    frames: Floats,
-    worst: Floats,
-) -> tuple[int, int, int, int, int]:
-    """March until the plan is fulfilled.
+@compiled
+def sample(run: Handover, at: int, length: float) -> None:
+    """Write down what is known of a sample before the step; the rest follows after it."""
+    entry = run.entry
+    for j in range(run.probe.shape[0]):
+        run.readings[at, j] = run.state_pool[run.probe[j]]
+    for j in range(run.tracked.shape[0]):
+        for q in range(3):
+            run.tracks[at, j, q] = run.pose[run.tracked[j], q]
+    force, deepest = add_up(run.ledger, run.spent, run.books[at])
+    run.scalars[at, 1] = call_impulse(entry[7], entry[8]) / length if entry[8] != 0 else 0.0
+    run.scalars[at, 2] = force
+    run.worst[0] = max(run.worst[0], widest_gap(run.pose, run.pivot, run.anchor))
+    run.worst[1] = max(run.worst[1], deepest)
 
-    What the plan's arrays hold is said in `certkit.mechanics.loop` and `certkit.mechanics.world`.
+
+@compiled
+def complete(run: Handover, at: int, share: float, length: float) -> None:
+    """Complete a sample, whose instant lies between the half steps before and after it."""
+    given, move = run.given, run.move
+    run.scalars[at, 0] = kinetic_energy(given, move, share, run.mass, run.inertia)
+    for j in range(run.tracked.shape[0]):
+        i = run.tracked[j]
+        run.accelerations[at, j, 0] = (given[6 * i + 3] - move[i, 0]) / length
+        run.accelerations[at, j, 1] = (given[6 * i + 4] - move[i, 1]) / length
+
+
+@compiled
+def shoot(run: Handover, at: int) -> None:
+    """Take a frame of the moving picture."""
+    for i in range(run.mass.shape[0]):
+        for q in range(3):
+            run.frames[at, i, q] = run.pose[i, q]
+
+
+@compiled
+def conclude(outcome: Integers, steps: int, samples: int, shots: int, contact: int) -> None:
+    """Write the outcome down."""
+    outcome[0] = steps
+    outcome[1] = samples
+    outcome[2] = shots
+    outcome[3] = contact
+
+
+def march(address: int) -> int:
+    """March until the plan is fulfilled.
 
     Parameters
     ----------
-    entry : ndarray of int64, shape (9,)
-        Addresses: step, each body, get, set, space, get data, set data, impulse, hinge constraint (0: none).
-    counters : two ndarrays of int32, shape (2,)
-        Fill count and capacity of pymunk's get buffer and of its set buffer, seen in place.
-    given, taken : ndarray
-        Memory of the get buffer (x, z, angle, velocities of each body) and of the set buffer (force and
-        torque).
-    plan : ndarray of int64, shape (5,)
-        Most steps; steps a sample; steps a frame; law whose force marks first contact (-1: contact at
-        once); steps after it.
-    readings, tracks, accelerations, books, scalars, frames, worst : ndarray
-        Filled: probed state, tracked poses and accelerations, energies by book, (kinetic energy, hinge
-        force, contact force), poses of all bodies, (joint gap, penetration).
+    address : int
+        Of the block of a `Handover`.
 
     Returns
     -------
-    status, steps, samples, frames, contact step : int
+    int
+        FINISHED or RAN_AWAY; all else is in the handover's arrays.
     """
-    bodies = mass.shape[0]
-    count_given, count_taken = counters
-    tables = (
-        table(layout, BENDING, index, number, state),
-        table(layout, CABLES, index, number, state),
-        table(layout, CONDYLES, index, number, state),
-        table(layout, FLESH, index, number, state),
-        table(layout, CUSHION, index, number, state),
-        table(layout, CRUSH, index, number, state),
-        table(layout, SUPPORTS, index, number, state),
-        table(layout, LOADING, index, number, state),
-        table(layout, NOSE, index, number, state),
-        table(layout, FRONT, index, number, state),
-        table(layout, POINTS, index, number, state),
-        table(layout, SPRINGS, index, number, state),
-    )
-    most, stride, frame_stride, trigger, after = plan
+    run: Handover = handed_over(address)
+    tables = tables_of(run.layout, run.index_pool, run.number_pool, run.state_pool)
+    entry, plan, ledger = run.entry, run.plan, run.ledger
+    bodies, step = run.mass.shape[0], run.step[0]
+    most, stride, frame_stride, trigger, after = plan[0], plan[1], plan[2], plan[3], plan[4]
     contact = 0 if trigger < 0 else -1
     end = after if trigger < 0 else most
     samples = shots = 0
     pending = False
     length = 0.5 * step
-    pose[bodies, COS] = 1.0
-    last = move.copy()
-    old_power = ledger[:, POWER].copy()
-    spent = ledger[:, POWER].copy()
+    run.pose[bodies, COS] = 1.0
+    status = FINISHED
     k = 0
     while True:
-        count_given[0] = 0
+        run.given_head[0] = 0
         call_each(entry[1], entry[4], entry[2], entry[5])
         if pending:
-            # The last sample's instant lies between the half steps before and after it.
-            scalars[samples, 0] = kinetic_energy(given, move, 0.5 if k > 1 else 0.0, mass, inertia)
-            for j in range(tracked.shape[0]):
-                i = tracked[j]
-                accelerations[samples, j, 0] = (given[6 * i + 3] - move[i, 0]) / length
-                accelerations[samples, j, 1] = (given[6 * i + 4] - move[i, 1]) / length
+            complete(run, samples, 0.5 if k > 1 else 0.0, length)
             samples += 1
             pending = False
-        if k > end or k > most or samples == readings.shape[0]:
-            return FINISHED, k, samples, shots, contact
+        if k > end or k > most or samples == run.readings.shape[0]:
+            break
         if k == 1:
             length = step
-        last[:] = move
         share = 0.0 if k == 0 else (1.0 if k == 1 else 0.5)
-        if not predict(given, last, share, length, pose, rate, move):
-            return RAN_AWAY, k, samples, shots, contact
-        for column in (STORED, POWER, FORCE, DEPTH):
-            ledger[:, column] = 0.0
-        scene = Scene(pose, rate, move, outline_body, outline, k * step, length, schedule)
-        weigh(mass, drag, gravity, scene, load, ledger)
-        act(tables, scene, load, ledger)
-        if k > 0:
-            spent += 0.5 * step * (old_power + ledger[:, POWER])
-        old_power[:] = ledger[:, POWER]
-        load[:bodies, 1] *= 1.0 - guided
-        taken[: 3 * bodies] = load[:bodies].ravel()
-        count_taken[0] = 0
+        if not predict(run.given, share, length, run.pose, run.rate, run.move):
+            status = RAN_AWAY
+            break
+        clear(ledger)
+        scene = Scene(
+            run.pose, run.rate, run.move, run.outline_body, run.outline, k * step, length, run.schedule
+        )
+        weigh(run.mass, run.drag, run.gravity, scene, run.load, ledger)
+        act(tables, scene, run.load, ledger)
+        spend(ledger, run.power, run.spent, 0.5 * step if k > 0 else 0.0)
+        hand_back(run)
+        run.taken_head[0] = 0
         call_each(entry[1], entry[4], entry[3], entry[6])
         call_step(entry[0], entry[4], length)
         if contact < 0 and ledger[trigger, FORCE] > 0.0:
             contact = k
             end = k + after
         if k % stride == 0:
+            sample(run, samples, length)
             pending = True
-            for j in range(probe.shape[0]):
-                readings[samples, j] = state[probe[j]]
-            for j in range(tracked.shape[0]):
-                tracks[samples, j, :] = pose[tracked[j], :3]
-            force, deepest = add_up(ledger, spent, books[samples])
-            scalars[samples, 1] = call_impulse(entry[7], entry[8]) / length if entry[8] != 0 else 0.0
-            scalars[samples, 2] = force
-            worst[0] = max(worst[0], widest_gap(pose, pivot, anchor))
-            worst[1] = max(worst[1], deepest)
-        if k % frame_stride == 0 and shots < frames.shape[0]:
-            frames[shots] = pose[:bodies, :3]
+        if k % frame_stride == 0 and shots < run.frames.shape[0]:
+            shoot(run, shots)
             shots += 1
         k += 1
-
-
-def _stamp(folder: Path) -> tuple[str, int]:
-    """Return what changes when any source of the loop does: numba looks at the cached function's own file."""
-    digest = hashlib.sha256()
-    sources = [folder / "kernel.py", folder / "native.py", *sorted(folder.glob("laws/*.py"))]
-    for source in sources:
-        digest.update(source.read_bytes())
-    return digest.hexdigest(), len(sources)
-
-
-compiled_march = cast("Any", njit(cache=True, error_model="numpy")(march))
-compiled_march._cache._cache_file._source_stamp = _stamp(Path(__file__).parent)  # noqa: SLF001  # no public way
+    conclude(run.outcome, k, samples, shots, contact)
+    return status

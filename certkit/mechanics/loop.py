@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import RunError
-from certkit.mechanics.kernel import RAN_AWAY, compiled_march
+from certkit.mechanics.handover import RAN_AWAY, Handover
 from certkit.mechanics.laws import BOOKS
 from certkit.mechanics.laws.table import LEDGER, Floats
+from certkit.mechanics.machine_code import loop
 from certkit.mechanics.space import ITERATIONS, build_space, open_gateway
 
 if TYPE_CHECKING:
@@ -113,53 +114,53 @@ def run_world(
     most = round((plan.longest if plan.trigger >= 0 else plan.until) / plan.step)
     after = round(plan.until / plan.step)
     samples, shots = most // plan.sample + 1, most // plan.frame + 1
-    readings = np.zeros((samples, len(probes)))
-    tracks = np.zeros((samples, len(tracked), 3))
-    accelerations = np.zeros((samples, len(tracked), 2))
-    books = np.zeros((samples, laws, 2))
-    scalars = np.zeros((samples, 3))
-    frames = np.zeros((shots, bodies, 3))
-    worst = np.zeros(2)
     space = build_space(world, plan.step, plan.iterations)
     gate = open_gateway(space, world)
-    started = time.perf_counter()
-    status, steps, filled, taken, contact = compiled_march(
-        gate.entry,
-        gate.counters,
-        gate.given,
-        gate.taken,
-        world.mass,
-        world.inertia,
-        world.guided,
-        world.drag,
-        world.gravity,
-        world.outline_body,
-        world.outline,
-        world.layout,
-        world.index,
-        world.number,
-        world.state.copy(),
-        world.pivot,
-        world.anchor,
-        world.schedule,
-        plan.step,
-        np.array([most, plan.sample, plan.frame, plan.trigger, after], dtype=np.int64),
-        np.array(probes, dtype=np.int64),
-        np.array(tracked, dtype=np.int64),
-        np.zeros((bodies + 1, 5)),
-        np.zeros((bodies + 1, 3)),
-        np.zeros((bodies + 1, 3)),
-        np.zeros((bodies + 1, 3)),
-        np.zeros((laws, LEDGER)),
-        readings,
-        tracks,
-        accelerations,
-        books,
-        scalars,
-        frames,
-        worst,
+    run = Handover(
+        entry=gate.entry,
+        given_head=gate.counters[0],
+        taken_head=gate.counters[1],
+        given=gate.given,
+        taken=gate.taken,
+        mass=world.mass,
+        inertia=world.inertia,
+        guided=world.guided,
+        drag=world.drag,
+        gravity=world.gravity,
+        outline_body=world.outline_body,
+        outline=world.outline,
+        layout=world.layout,
+        index_pool=world.index,
+        number_pool=world.number,
+        state_pool=world.state.copy(),
+        pivot=world.pivot,
+        anchor=world.anchor,
+        schedule=world.schedule,
+        step=np.array([plan.step]),
+        plan=np.array([most, plan.sample, plan.frame, plan.trigger, after], dtype=np.int64),
+        probe=np.array(probes, dtype=np.int64),
+        tracked=np.array(tracked, dtype=np.int64),
+        pose=np.zeros((bodies + 1, 5)),
+        rate=np.zeros((bodies + 1, 3)),
+        move=np.zeros((bodies + 1, 3)),
+        load=np.zeros((bodies + 1, 3)),
+        ledger=np.zeros((laws, LEDGER)),
+        power=np.zeros(laws),
+        spent=np.zeros(laws),
+        readings=np.zeros((samples, len(probes))),
+        tracks=np.zeros((samples, len(tracked), 3)),
+        accelerations=np.zeros((samples, len(tracked), 2)),
+        books=np.zeros((samples, laws, 2)),
+        scalars=np.zeros((samples, 3)),
+        frames=np.zeros((shots, bodies, 3)),
+        worst=np.zeros(2),
+        outcome=np.zeros(4, dtype=np.int64),
     )
+    march = loop()
+    started = time.perf_counter()
+    status = march(run)
     seconds = time.perf_counter() - started
+    steps, filled, taken, contact = run.outcome.tolist()
     if status == RAN_AWAY:
         raise RunError(
             f"the simulation ran away after {steps * plan.step * 1e3:.3f} ms: a spring, damper or contact is "
@@ -172,18 +173,18 @@ def run_world(
     return Trajectory(
         time=np.arange(filled) * (plan.step * plan.sample),
         contact=contact * plan.step,
-        readings=readings[:filled],
-        tracks=tracks[:filled],
-        accelerations=accelerations[:filled],
-        stored=books[:filled, :, 0],
-        spent=books[:filled, :, 1],
-        kinetic=scalars[:filled, 0],
-        hinge_force=scalars[:filled, 1],
-        contact_force=scalars[:filled, 2],
+        readings=run.readings[:filled],
+        tracks=run.tracks[:filled],
+        accelerations=run.accelerations[:filled],
+        stored=run.books[:filled, :, 0],
+        spent=run.books[:filled, :, 1],
+        kinetic=run.scalars[:filled, 0],
+        hinge_force=run.scalars[:filled, 1],
+        contact_force=run.scalars[:filled, 2],
         frame_time=np.arange(taken) * (plan.step * plan.frame),
-        frames=frames[:taken],
-        joint_gap=float(worst[0]),
-        penetration=float(worst[1]),
-        steps=int(steps),
+        frames=run.frames[:taken],
+        joint_gap=float(run.worst[0]),
+        penetration=float(run.worst[1]),
+        steps=steps,
         seconds=seconds,
     )

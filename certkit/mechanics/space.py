@@ -74,7 +74,7 @@ class Gateway:
     Parameters
     ----------
     entry : ndarray of int64, shape (9,)
-        See `certkit.mechanics.kernel.march`.
+        See `certkit.mechanics.handover.Handover`.
     counters : two ndarrays of int32, shape (2,)
         Heads (fill count, capacity) of the get and the set buffer, seen in place.
     given, taken : ndarray

@@ -9,7 +9,7 @@ from pymunk import batch
 
 from certkit.definitions.library import load
 from certkit.errors import RunError
-from certkit.mechanics.kernel import act, predict, table, weigh
+from certkit.mechanics.kernel import act, predict, tables_of, weigh
 from certkit.mechanics.laws import BENDING, BOOKS, CUSHION
 from certkit.mechanics.laws.table import FORCE, LEDGER, POWER, STORED, Scene
 from certkit.mechanics.loop import Plan, run_world
@@ -21,28 +21,14 @@ from certkit.mechanics.world import GROUND, Assembly, World
 @njit(error_model="numpy")
 def forces(layout, index, number, state, mass, drag, gravity, scene, load_, ledger):  # noqa: ANN001, PLR0917  # compiled
     """Evaluate all laws once, for a caller in Python."""
-    tables = (
-        table(layout, 0, index, number, state),
-        table(layout, 1, index, number, state),
-        table(layout, 2, index, number, state),
-        table(layout, 3, index, number, state),
-        table(layout, 4, index, number, state),
-        table(layout, 5, index, number, state),
-        table(layout, 6, index, number, state),
-        table(layout, 7, index, number, state),
-        table(layout, 8, index, number, state),
-        table(layout, 9, index, number, state),
-        table(layout, 10, index, number, state),
-        table(layout, 11, index, number, state),
-    )
     weigh(mass, drag, gravity, scene, load_, ledger)
-    act(tables, scene, load_, ledger)
+    act(tables_of(layout, index, number, state), scene, load_, ledger)
 
 
 @njit(error_model="numpy")
-def foresee(given, last, share, length, pose, rate, move):  # noqa: ANN001  # compiled
+def foresee(given, share, length, pose, rate, move):  # noqa: ANN001  # compiled
     """Predict, for a caller in Python."""
-    return predict(given, last, share, length, pose, rate, move)
+    return predict(given, share, length, pose, rate, move)
 
 
 def by_public_api(world: World, step: float, steps: int) -> np.ndarray:
@@ -61,7 +47,7 @@ def by_public_api(world: World, step: float, steps: int) -> np.ndarray:
         batch.get_space_bodies(space, GET, read)
         given = np.frombuffer(read.float_buf()).copy()
         length = step / 2 if k == 0 else step
-        assert foresee(given, move.copy(), (0.0, 1.0)[k] if k < 2 else 0.5, length, pose, rate, move)
+        assert foresee(given, (0.0, 1.0)[k] if k < 2 else 0.5, length, pose, rate, move)
         ledger[:, [STORED, POWER, FORCE]] = 0.0
         scene = Scene(pose, rate, move, world.outline_body, world.outline, k * step, length, world.schedule)
         forces(

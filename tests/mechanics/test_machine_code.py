@@ -1,0 +1,137 @@
+"""The compiled loop is kept, and loaded without numba, and is then the same loop."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from certkit.definitions.library import load
+from certkit.mechanics import machine_code
+from certkit.mechanics.handover import KINDS, Handover, block
+from certkit.mechanics.loop import Plan, run_world
+from certkit.mechanics.machine_code import Code, Entry
+from certkit.mechanics.simulate import build
+from certkit.mechanics.world import World
+
+
+@pytest.fixture(scope="module")
+def world():
+    site = build(load("procedure", "inverse").document, load("legform", "flex-pli-gtr").document)
+    return site.assembly.finish()
+
+
+@pytest.fixture(scope="module")
+def code():
+    return machine_code.compile_loop()
+
+
+@pytest.fixture(scope="module")
+def by_numba():
+    return machine_code.by_numba()
+
+
+@pytest.fixture
+def fresh(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Path]:
+    """Let this process look for the loop in an empty cache."""
+    monkeypatch.setenv("CERTKIT_CACHE", str(tmp_path))
+    machine_code.loop.cache_clear()
+    yield tmp_path
+    machine_code.loop.cache_clear()
+
+
+def trajectory(world: World) -> list[np.ndarray]:
+    run = run_world(world, Plan(2e-5, 0.01, 0.01), range(len(world.state)), [0])
+    return [run.readings, run.tracks, run.accelerations, run.frames, run.kinetic, run.stored, run.spent]
+
+
+def test_the_kept_loop_gives_what_numba_gives_bit_for_bit(
+    world: World, code: Code, by_numba: Entry, fresh: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(machine_code, "compile_loop", lambda: code)
+    kept = trajectory(world)
+    assert len(list(fresh.glob("*.o"))) == 1
+    machine_code.loop.cache_clear()
+    monkeypatch.setattr(machine_code, "by_llvm", lambda _: by_numba)
+    for a, b in zip(kept, trajectory(world), strict=True):
+        np.testing.assert_array_equal(a, b)
+
+
+def test_the_loop_needs_nothing_but_llvmlite_and_the_c_library(code: Code):
+    assert code is not None
+
+
+@pytest.mark.usefixtures("fresh")
+def test_a_process_that_finds_the_kept_loop_imports_neither_numba_nor_scipy(
+    world: World, code: Code, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(machine_code, "compile_loop", lambda: code)
+    trajectory(world)
+    script = (
+        "import sys; from certkit.mechanics.machine_code import loop; import certkit.mechanics.loop; loop(); "
+        "print([name for name in ('numba', 'scipy') if name in sys.modules])"
+    )
+    found = subprocess.run(
+        [sys.executable, "-c", script], env=dict(os.environ), capture_output=True, text=True, check=True
+    )
+    assert found.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize(
+    "damage", [lambda data: data[:-1], lambda _: b"", lambda data: data[:40] + b"x" + data[41:]]
+)
+def test_a_damaged_file_is_compiled_again(
+    world: World, code: Code, fresh: Path, monkeypatch: pytest.MonkeyPatch, damage: Callable[[bytes], bytes]
+):
+    compiled = []
+    monkeypatch.setattr(machine_code, "compile_loop", lambda: compiled.append(1) or code)
+    trajectory(world)
+    (file,) = fresh.glob("*.o")
+    whole = file.read_bytes()
+    file.write_bytes(damage(whole))
+    machine_code.loop.cache_clear()
+    trajectory(world)
+    assert len(compiled) == 2
+    assert file.read_bytes() == whole
+
+
+def test_a_cache_that_cannot_be_written_stops_nothing(
+    world: World, code: Code, fresh: Path, monkeypatch: pytest.MonkeyPatch
+):
+    (fresh / "file").write_text("in the way")
+    monkeypatch.setenv("CERTKIT_CACHE", str(fresh / "file"))
+    monkeypatch.setattr(machine_code, "compile_loop", lambda: code)
+    assert np.isfinite(trajectory(world)[0]).all()
+
+
+@pytest.mark.usefixtures("fresh")
+@pytest.mark.parametrize("name", ["not the loop", None])
+def test_code_that_cannot_be_loaded_is_left_to_numba(
+    world: World, code: Code, by_numba: Entry, monkeypatch: pytest.MonkeyPatch, name: str | None
+):
+    made = code._replace(name=name) if name else None
+    called = []
+    monkeypatch.setattr(machine_code, "compile_loop", lambda: made)
+    monkeypatch.setattr(machine_code, "by_numba", lambda: called.append(1) or by_numba)
+    trajectory(world)
+    assert called == [1]
+
+
+def test_another_setting_of_numba_has_a_file_of_its_own(monkeypatch: pytest.MonkeyPatch):
+    plain = machine_code._digest()
+    monkeypatch.setenv("NUMBA_OPT", "1")
+    assert machine_code._digest() != plain
+
+
+def test_an_array_that_compiled_code_would_misread_is_refused():
+    arrays = Handover(*(np.zeros((2,) * dimensions, dtype=code) for code, dimensions in KINDS))
+    assert block(arrays).shape == (len(KINDS), 4)
+    with pytest.raises(TypeError, match="`mass` must be"):
+        block(arrays._replace(mass=np.zeros(4)[::2]))
+    with pytest.raises(TypeError, match="`layout` must be"):
+        block(arrays._replace(layout=np.zeros((2, 2))))
