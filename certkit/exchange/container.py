@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import lzma
 import os
 import stat
+import struct
 import zipfile
 import zlib
 from dataclasses import dataclass
@@ -21,6 +23,19 @@ from certkit.exchange.limits import (
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+# What the standard library raises on damaged archives, beside `BadZipFile`.
+_DAMAGED = (
+    zipfile.BadZipFile,
+    zlib.error,
+    lzma.LZMAError,
+    struct.error,
+    EOFError,
+    OSError,
+    OverflowError,
+    RuntimeError,  # includes NotImplementedError
+    ValueError,
+)
 
 
 @dataclass(frozen=True)
@@ -111,7 +126,7 @@ def _archive(path: Path) -> Container:
 
         archive = zipfile.ZipFile(BytesIO(content))
         members = [m for m in archive.infolist() if not m.is_dir() and not m.filename.startswith("__MACOSX/")]
-    except (zipfile.BadZipFile, ValueError, NotImplementedError, UnicodeDecodeError) as error:
+    except _DAMAGED as error:
         raise DataError(f"{path}: not a whole zip archive ({error}); pack the test folder again") from error
     if len(members) > MAX_MEMBERS:
         raise DataError(f"{path}: more than {MAX_MEMBERS} files in the archive; pack one test")
@@ -134,7 +149,7 @@ def _archive(path: Path) -> Container:
         try:
             with archive.open(member) as stream:
                 data = stream.read(member.file_size + 1)
-        except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError) as error:
+        except _DAMAGED as error:
             raise DataError(
                 f"{path}/{name}: damaged in the archive ({error}); pack the test again"
             ) from error
