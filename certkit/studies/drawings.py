@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 WIDTH = 640.0
 BAR = 16.0
 NAMES = 250.0
+FIGURES = 70.0  # room for the numbers at the right
 MOST_DOTS = 600
 """Dots in one scatter figure: more cannot be told apart and make the page heavy."""
 
@@ -30,7 +31,7 @@ def tornado(rows: Sequence[tuple[str, float, float, float]], title: str, unit: s
     rows = sorted(rows, key=lambda row: -abs(row[1]))
     known = [value for row in rows for value in (0.0, *row[1:]) if value == value]  # noqa: PLR0124  # NaN
     low, high = span(known)
-    scale = Scale(low, high, NAMES, WIDTH - 12)
+    scale = Scale(low, high, NAMES, WIDTH - FIGURES)
     height = 24 + len(rows) * (BAR + 8) + 34
     bottom = height - 34
     parts = [
@@ -60,7 +61,9 @@ def tornado(rows: Sequence[tuple[str, float, float, float]], title: str, unit: s
         parts.append(label(WIDTH - 12, top + 12, f"{effect:+.3g}", text_anchor="end", fill=INK))
     parts.append(tag("line", x1=scale(0.0), x2=scale(0.0), y1=14.0, y2=bottom, stroke=INK))
     parts.append(
-        label((NAMES + WIDTH) / 2, height - 4, f"change over the range, {unit}", text_anchor="middle")
+        label(
+            (NAMES + WIDTH - FIGURES) / 2, height - 4, f"change over the range, {unit}", text_anchor="middle"
+        )
     )
     return picture(WIDTH, height, "".join(parts), title)
 
@@ -84,12 +87,12 @@ def dots(
     line : sequence of (float, float)
         Joined in order; none when empty.
     """
-    width, height, left, bottom = 300.0, 210.0, 52.0, 172.0
+    width, height, left, top, bottom = 300.0, 220.0, 52.0, 22.0, 182.0
     stride = max(1, -(-len(x) // MOST_DOTS))
-    across = Scale(*span(x), left, width - 8)
-    up = Scale(*span(y), bottom, 10.0)
+    across = Scale(*span([*x, *(a for a, _ in line)]), left, width - 8)
+    up = Scale(*span([*y, *(b for _, b in line)]), bottom, top)
     parts = [
-        tag("line", x1=across(v), x2=across(v), y1=10.0, y2=bottom, stroke=GRID)
+        tag("line", x1=across(v), x2=across(v), y1=top, y2=bottom, stroke=GRID)
         + label(across(v), bottom + 14, f"{v:g}", text_anchor="middle", fill=MUTED, font_size="10")
         for v in ticks(across.low, across.high, 5)
     ]
@@ -99,7 +102,7 @@ def dots(
         for v in ticks(up.low, up.high, 5)
     ]
     parts.append(
-        tag("rect", x=left, y=10.0, width=width - 8 - left, height=bottom - 10, fill="none", stroke=LINE)
+        tag("rect", x=left, y=top, width=width - 8 - left, height=bottom - top, fill="none", stroke=LINE)
     )
     parts += [
         tag("circle", cx=across(a), cy=up(b), r=1.8, fill=PENS[0].colour, fill_opacity="0.55")
@@ -109,5 +112,5 @@ def dots(
         data = "M" + "L".join(f"{number(across(a))} {number(up(b))}" for a, b in line)
         parts.append(tag("path", d=data, fill="none", stroke=ACCENT, stroke_width=1.6))
     parts.append(label((left + width) / 2, bottom + 30, names[0], text_anchor="middle", font_size="10"))
-    parts.append(label(left, 6.0, names[1], font_size="10", fill=INK))
+    parts.append(label(left, 14.0, names[1], font_size="10", fill=INK))
     return picture(width, height, "".join(parts), title)
