@@ -21,4 +21,13 @@ def reference() -> None:
         typer.echo(f"wrote {path}")
 
 
+@app.command("pictures")
+def pictures() -> None:
+    """Run the bench and draw all pictures of docs/pictures; takes some minutes and needs Chromium."""
+    from docs.make.pictures import write_pictures  # noqa: PLC0415  # as above
+
+    for path in write_pictures(tell=typer.echo):
+        typer.echo(f"wrote {path} ({path.stat().st_size / 1000:.0f} kB)")
+
+
 app()

@@ -16,10 +16,11 @@ Everything that certkit works on is a YAML file whose first key says what kind i
 name. Unknown keys are errors. `certkit validate FILE` tells every problem at once with its line and column,
 and `certkit schema KIND` prints the JSON Schema with which an editor completes and checks the file.
 
-A *length*, a *mass* and so on in the tables below is a number with its unit and its origin: `{value: 25 mm,
-source: our drawing 1234, confidence: verified}`. Any section may carry an `origin: {source: …, confidence: …}`,
-which covers all bare numbers below it, so that `25 mm` is enough there; a procedure's numbers take its `method`
-as their origin. The confidences are explained under [Words](words.md#confidence)."""
+A *length*, a *mass* and so on in the tables below is a number with its unit and its origin:
+`{value: 25 mm, source: our drawing 1234, confidence: verified}`. Any section may carry an `origin:
+{source: …, confidence: …}`. It covers all bare numbers below it, so that `25 mm` is enough there; a
+procedure's numbers take its `method` as their origin. The confidences are explained under
+[Words](words.md#confidence)."""
 
 ORIGIN = frozenset({"Origin"})
 

@@ -107,10 +107,9 @@ def phrase(value: Schema, word: str) -> str:
     if "$ref" in value:
         name = value["$ref"].rsplit("/", 1)[1]
         return f"[{_spaced(name)}](#{anchor(word, name)})"
-    if "anyOf" in value or "oneOf" in value:
-        options = [
-            option for option in value.get("anyOf", value.get("oneOf")) if option.get("type") != "null"
-        ]
+    choices = value.get("anyOf") or value.get("oneOf") or []
+    if choices:
+        options = [option for option in choices if option.get("type") != "null"]
         if dimension := _dimension(options):
             return dimension
         return " or ".join(dict.fromkeys(phrase(option, word) for option in options))

@@ -1,4 +1,4 @@
-"""Every command that the documentation shows is run, in the order of its page, in an empty folder.
+"""Every command that the documentation shows is run, in the order of its page, beside `examples` alone.
 
 A block fenced as `yaml` that begins with `# file: NAME` is written to that file first. In a block fenced as
 `console`, a line `$ certkit …` is run; `> FILE` at its end keeps what it prints; the comment `# exit N` names
@@ -16,7 +16,8 @@ from pathlib import Path
 
 import pytest
 
-PAGES = sorted((Path(__file__).parents[2] / "docs").rglob("*.md"))
+ROOT = Path(__file__).parents[2]
+PAGES = sorted((ROOT / "docs").rglob("*.md"))
 BLOCK = re.compile(r"^```(yaml|console)[^\n]*\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 
@@ -36,6 +37,7 @@ WITH_COMMANDS = [page for page in PAGES if "\n$ certkit " in page.read_text()]
 @pytest.mark.parametrize("page", WITH_COMMANDS, ids=lambda p: p.stem)
 def test_commands_of_a_page_end_as_the_page_says(page: Path, tmp_path: Path) -> None:
     ran = 0
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
     for kind, text in BLOCK.findall(page.read_text()):
         if kind == "yaml" and text.startswith("# file: "):
             written = tmp_path / text.splitlines()[0].removeprefix("# file: ").strip()

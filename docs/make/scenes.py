@@ -1,0 +1,33 @@
+"""What is run and what is drawn for the documentation's pictures: the commands a reader would type."""
+
+from __future__ import annotations
+
+RUNS = (
+    "certkit run --all --allow not-evaluated --out suite",
+    "certkit run --procedure vehicle --set vehicle=generic-saloon --format html --out saloon",
+    "certkit extract EXAMPLES/extract/bumper-reference/case.yaml --format html --out bumper",
+)
+"""Run first, in turn, in an empty folder. `EXAMPLES` stands for the folder of shipped examples."""
+
+MOMENTS = "".join(f" --channel {gauge}" for gauge in ("F1", "F2", "F3", "T1", "T2", "T3", "T4"))
+
+FIGURES = {
+    "corridors": "certkit figure suite/pendulum/result.json --what corridor",
+    "frames": "certkit figure suite/pendulum/result.json --what frames",
+    "energy": "certkit figure suite/pendulum/result.json --what energy",
+    "fig-07-femur": "certkit figure suite/static-femur/result.json --what curve",
+    "fig-07-tibia": "certkit figure suite/static-tibia/result.json --what curve",
+    "fig-10": "certkit figure suite/static-knee/result.json --what curve",
+    "fig-13": "certkit figure suite/pendulum/result.json --what history" + MOMENTS,
+    "table-1": "certkit figure suite/inverse-seed/result.json --what table",
+    "table-1-errors": "certkit figure suite/inverse-seed/result.json --what errors",
+    "fig-17": "certkit figure bumper/extraction.json --what momentum",
+    "fig-18": "certkit figure bumper/extraction.json --what force",
+    "fig-19": "certkit figure bumper/extraction.json --what stiffness",
+    "fig-20": "certkit figure bumper/extraction.json --what material",
+    "saloon-frames": "certkit figure saloon/result.json --what frames",
+}
+"""Drawn as SVG, by the picture's name."""
+
+TERMINAL = "certkit run --procedure pendulum --format junit --out terminal"
+"""Shown as a terminal shows it."""
