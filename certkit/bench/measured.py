@@ -45,7 +45,7 @@ def grade(
     procedure : str or Path
         Name that the library knows, or a file.
     data : Path
-        ISO-MME folder, archive or `.mme` file, or CSV file.
+        ISO-MME folder, archive or `.mme` file, CSV file, or the folder of a run with its `channels.csv`.
     laboratory : Path, optional
         `lab.yaml`: header, sensors, decision rule, uncertainties, conditions.
     mapping : Path, optional
@@ -66,6 +66,8 @@ def grade(
     """
     setup = _without_model(prepare(procedure, library=library, overrides=overrides))
     own, mapping_input = _mapping(mapping)
+    if (data / "result.json").is_file():
+        data = data / "channels.csv"  # the folder of a run
     read = _recognised(data) if mapping is None else None
     read = read or read_recording(data, own, lenient=lenient)
     lab = read_laboratory(laboratory) if laboratory else NO_LABORATORY

@@ -28,8 +28,8 @@ FILTER = "CFC 180"
 MOST_POINTS = 600
 SLOWEST = 1e-3
 """Sampling interval, s, above which curves are too coarse for a rating at 10 kHz."""
-NOTHING = 1e-6
-"""Share of a channel's largest value below which it counts as nothing to compare."""
+NOTHING = 0.01
+"""Share of a unit's largest value below which a reference is nothing that an error could be relative to."""
 
 
 @dataclass(frozen=True)
@@ -153,7 +153,7 @@ def _rows(
         rows.append(ComparisonRow(channel=name, unit=unit, test=test, simulation=found, error_percent=error))
     notes = [said]
     if without:
-        notes.append(f"The reference is zero, so there is no relative error: {', '.join(without)}.")
+        notes.append(f"The reference is nearly zero, so there is no relative error: {', '.join(without)}.")
     return rows, notes
 
 
