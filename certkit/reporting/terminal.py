@@ -72,6 +72,9 @@ def table(result: Result) -> Table:
     for head, right in (("", False), ("value", True), ("", False), ("corridor", False), ("", False)):
         made.add_column(head, justify="right" if right else "left", no_wrap=True)
     made.add_column("margin", justify="right", no_wrap=True)
+    spreads = any(criterion.spread for criterion in result.criteria)
+    if spreads:
+        made.add_column("over the family", no_wrap=True)
     made.add_column("verdict")
     for criterion in result.criteria:
         decimals = words.criterion_decimals(criterion)
@@ -87,9 +90,22 @@ def table(result: Result) -> Table:
             words.corridor(criterion.lower, criterion.upper),
             f"[{style}]{bar(criterion)}[/]",
             words.fixed(criterion.margin, decimals),
+            *([_spread(criterion, decimals)] if spreads else []),
             f"[{style}]{verdict}[/]{escape(reason)}",
         )
     return made
+
+
+def _spread(criterion: CriterionResult, decimals: int) -> str:
+    """Return smallest and largest value over a family of legs, with mean and standard deviation."""
+    spread = criterion.spread
+    if spread is None:
+        return words.MISSING
+    low, high, mean, deviation = (
+        words.fixed(v, decimals)
+        for v in (spread.minimum, spread.maximum, spread.mean, spread.standard_deviation)
+    )
+    return f"{low} to {high}, {mean} ± {deviation}"
 
 
 def console(stream: TextIO | None = None) -> Console:
