@@ -88,7 +88,7 @@ def _fetcher(module: Any) -> Any:  # noqa: ANN401  # likewise
 
 
 def _finish(document: Any, pdf: Any) -> None:  # noqa: ANN401  # likewise
-    """Label the pages 1, 2, 3 … as printed, name each attachment once (WeasyPrint does it twice), pack it once."""
+    """Label the pages 1, 2, 3 … as printed, name and pack each attachment once."""
     import pydyf  # noqa: PLC0415  # comes with WeasyPrint
 
     del document

@@ -180,3 +180,11 @@ def test_axe_finds_nothing_that_shuts_people_out(
     found = axe.Axe().run(page).response["violations"]
     assert [(v["id"], v["nodes"][0]["html"][:120]) for v in found] == []
     page.context.close()
+
+
+def test_paper_shows_key_frames_and_no_controls(pendulum: Page) -> None:
+    pendulum.emulate_media(media="print")
+    assert pendulum.locator("[data-stills]").is_visible()
+    assert not pendulum.locator("[data-player]").is_visible()
+    assert not pendulum.locator("[data-tools]").is_visible()
+    assert pendulum.locator("button:visible").count() == 0

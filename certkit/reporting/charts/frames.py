@@ -24,8 +24,9 @@ FILL = {
     "vehicle": "#dfe5ea",
     "mass": "#6b7580",
 }
-_ORDER = ("vehicle", "rig", "flesh", "mass", "knee", "bone", "ram")
-"""From back to front. The leg crushes the honeycomb, which is drawn in front and half seen through."""
+_ORDER = ("rig", "flesh", "mass", "knee", "bone", "ram", "vehicle")
+"""From back to front. What the leg crushes is drawn in front of it and half seen through."""
+_SEEN_THROUGH = {"ram": 0.7, "vehicle": 0.7}
 
 
 def placed(shape: Shape, pose: tuple[float, float, float]) -> list[tuple[float, float]]:
@@ -72,7 +73,7 @@ def key_frames(motion: Motion, most: int = 6) -> list[int]:
 
 def _shape(points: list[tuple[float, float]], shape: Shape, fill: str, css: str) -> str:
     if shape.closed:
-        seen = 0.7 if shape.kind == "ram" else None
+        seen = _SEEN_THROUGH.get(shape.kind)
         return tag("path", d=path(points, closed=True), fill=fill, fill_opacity=seen, class_=css)
     return tag("path", d=path(points), fill="none", stroke_width=1.2, class_=css)
 

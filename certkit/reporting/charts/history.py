@@ -93,10 +93,8 @@ def _band(frame: Frame, criterion: CriterionResult | None, limits: list[float]) 
     if criterion is None:
         return ""
     drawn = ""
-    if limits:
-        one_sided_up = criterion.lower is None
-        ends = (frame.y.low, limits[0]) if one_sided_up else (limits[0], frame.y.high)
-        low, high = ends if len(limits) == 1 else (limits[0], limits[1])
+    if len(limits) == 2:
+        low, high = limits
         drawn += tag(
             "rect",
             x=frame.left,
@@ -106,6 +104,7 @@ def _band(frame: Frame, criterion: CriterionResult | None, limits: list[float]) 
             fill=palette.CORRIDOR,
             class_="corridor",
         )
+    if limits:
         drawn += "".join(
             tag(
                 "line",
