@@ -61,11 +61,9 @@ def test_the_fit_started_at_the_shipped_leg_stays_there_within_its_uncertainty(t
     assert np.abs((end - start) / spread).max() < 0.25
 
 
-def test_the_family_has_at_least_twenty_legs_and_the_fitted_one_comes_first() -> None:
+def test_the_family_has_at_least_twenty_legs_that_all_differ() -> None:
     assert len(FAMILY.members) >= 20
-    first = [f"legform.{path}={value}" for path, value in FAMILY.members[0].values.items()]
-    base, member = Trial(("inverse",))({}), Trial(("inverse",), fixed=tuple(first))({})
-    assert base == member
+    assert len({tuple(member.values.values()) for member in FAMILY.members}) == len(FAMILY.members)
 
 
 @pytest.mark.parametrize("member", FAMILY.members, ids=lambda member: member.id)

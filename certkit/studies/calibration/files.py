@@ -49,11 +49,11 @@ def write_fit(calibration: Calibration, folder: Path) -> list[Path]:
 
 
 def write_family(calibration: Calibration, members: NDArray[Any], path: Path) -> None:
-    """Write the family's file; members are numbered from 1, the fitted leg first."""
+    """Write the family's file; members are numbered from 1."""
     sheet = calibration.task.sheet
     document = {
         "family": sheet.legform,
-        "title": f"{len(members)} legs that pass what {sheet.legform} passes",
+        "title": f"{len(members)} legs that pass as {sheet.legform} does",
         "legform": sheet.legform,
         "origin": {"source": _source(calibration) + ", family", "confidence": "calibrated"},
         "procedures": [
@@ -73,7 +73,7 @@ def write_family(calibration: Calibration, members: NDArray[Any], path: Path) ->
     }
     head = (
         "# Legs with other numbers that pass every graded criterion as well, written by `certkit calibrate`\n"
-        f"# from the fit {sheet.fit}; the first one is the fitted leg.\n"
+        f"# from the fit {sheet.fit}. The fitted leg is the base, and no member.\n"
     )
     write_whole(path, head + _yaml(document))
 

@@ -41,14 +41,14 @@ def kin(calibration: Calibration, runs: Runs, count: int, tell: Tell) -> NDArray
     runs : Runs
         Of the same task.
     count : int
-        How many legs, the fitted one among them.
+        How many legs besides the fitted one.
     tell : callable
         Told how far the walk has come.
 
     Returns
     -------
     ndarray, shape (count, k)
-        Shares; the first row is the fitted leg.
+        Shares.
 
     Raises
     ------
@@ -78,9 +78,9 @@ def kin(calibration: Calibration, runs: Runs, count: int, tell: Tell) -> NDArray
         places[good] = tried[good]
         visited += list(tried[good])
         tell(f"family: step {step + 1} of {wanted.steps}, {len(visited)} legs that pass")
-    if len(visited) < count:
+    if len(visited) <= count:
         raise RunError(
-            f"only {len(visited)} legs that pass were found, not {count}; raise the family's steps or walkers"
+            f"only {len(visited) - 1} legs that pass were found, not {count}; raise the family's steps or walkers"
         )
     return _far_apart(np.array(visited), count)
 
@@ -99,11 +99,11 @@ def _free(calibration: Calibration) -> list[int]:
 
 
 def _far_apart(places: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-    """Take the first place, then again and again the one that is farthest from all taken."""
+    """Take again and again the place that is farthest from the first one and from all taken."""
     taken = [0]
     distance = np.linalg.norm(places - places[0], axis=1)
-    while len(taken) < count:
+    while len(taken) <= count:
         taken.append(int(distance.argmax()))
         distance = np.minimum(distance, np.linalg.norm(places - places[taken[-1]], axis=1))
-    chosen: NDArray[np.float64] = places[taken]
+    chosen: NDArray[np.float64] = places[taken[1:]]
     return chosen
