@@ -80,7 +80,8 @@ def kin(calibration: Calibration, runs: Runs, count: int, tell: Tell) -> NDArray
         tell(f"family: step {step + 1} of {wanted.steps}, {len(visited)} legs that pass")
     if len(visited) <= count:
         raise RunError(
-            f"only {len(visited) - 1} legs that pass were found, not {count}; raise the family's steps or walkers"
+            f"only {len(visited) - 1} other legs that pass were found, not {count}; "
+            "raise the family's steps or walkers"
         )
     return _far_apart(np.array(visited), count)
 
