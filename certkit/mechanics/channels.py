@@ -72,10 +72,11 @@ def channels(site: Site, leg: Leg, run: Trajectory, readings: Mapping[str, Float
     if leg.knee_row >= 0:
         values["knee bend"] = readings["knee bend"]
         values["knee shear"] = _shear(leg, run)
+        if site.rig.loading_ram is None:
+            values["knee acceleration"] = run.accelerations[:, 1, 0]
     if site.rig.loading_ram is not None:
         values |= _bending(site, leg, readings)
     else:
-        values["knee acceleration"] = run.accelerations[:, 1, 0]
         values["contact force"] = run.contact_force
         if site.assembly.hinge >= 0:
             values["hinge force"] = run.hinge_force

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,6 +28,8 @@ from certkit.mechanics.world import Assembly
 from certkit.signals import Recording
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from certkit.definitions.legform import Legform
     from certkit.definitions.procedure import Procedure
     from certkit.definitions.vehicle import Vehicle
@@ -37,6 +39,17 @@ STEP = 2e-5
 UNTIL = 0.2
 """s after contact, where a procedure names no end."""
 FRAME = 1e-3
+
+FITTINGS: tuple[tuple[str, Callable[[Site, Any], None]], ...] = (
+    ("hinge", fit_hinge),
+    ("hanger", fit_hanger),
+    ("release", fit_release),
+    ("stopper", fit_stopper),
+    ("ram", fit_ram),
+    ("supports", fit_supports),
+    ("loading_ram", fit_loading_ram),
+)
+"""What builds each fixture of a `certkit.definitions.rig.Rig`, in the order in which they are built."""
 
 
 @dataclass(frozen=True)
@@ -73,20 +86,10 @@ def build(procedure: Procedure, legform: Legform, vehicle: Vehicle | None = None
     assembly = Assembly()
     leg = add_leg(assembly, legform, segments, flesh=flesh, drag=DRAG if static else 0.0)
     site = Site(assembly, legform, rig, leg, cover=float(legform.flesh.thickness) if flesh else 0.0)
-    if rig.hinge is not None:
-        fit_hinge(site, rig.hinge)
-    if rig.hanger is not None:
-        fit_hanger(site, rig.hanger)
-    if rig.release is not None:
-        fit_release(site, rig.release, rig.hinge)
-    if rig.stopper is not None:
-        fit_stopper(site, rig.stopper)
-    if rig.ram is not None:
-        fit_ram(site, rig.ram)
-    if rig.supports is not None:
-        fit_supports(site, rig.supports)
-    if rig.loading_ram is not None:
-        fit_loading_ram(site, rig.loading_ram)
+    for name, fit in FITTINGS:
+        fixture = getattr(rig, name)
+        if fixture is not None:
+            fit(site, fixture)
     if rig.free_flight is not None:
         if vehicle is None:
             raise RunError("free flight hits a vehicle; name one in the procedure")

@@ -164,6 +164,29 @@ def test_a_release_without_a_hinge_is_refused(legform: Legform):
         simulate(pendulum.model_copy(update={"rig": rig}), legform)
 
 
+def test_a_loading_ram_without_supports_is_refused(legform: Legform):
+    femur = load("procedure", "static-femur").document
+    rig = femur.rig.model_copy(update={"supports": None})
+    with pytest.raises(RunError, match="add `supports` to the rig"):
+        simulate(femur.model_copy(update={"rig": rig}), legform)
+
+
+@pytest.mark.parametrize("segments", [7, 9])
+def test_an_odd_number_of_segments_carries_the_same_moment(legform: Legform, segments: int):
+    bone = legform.femur.model_copy(update={"segments": segments})
+    run = simulate(load("procedure", "static-femur").document, legform.model_copy(update={"femur": bone}))
+    assert run.recording["mid moment"].values[-1] == pytest.approx(400.0, rel=5e-3)
+
+
+def test_a_part_without_a_knee_can_be_hit_too(legform: Legform):
+    inverse = load("procedure", "inverse", overrides=["rig.ram.top edge=400 mm"]).document
+    specimen = inverse.specimen.model_copy(update={"part": "femur"})
+    run = simulate(inverse.model_copy(update={"specimen": specimen}), legform)
+    assert run.recording["contact force"].values.max() > 1000
+    assert "T1" not in run.recording
+    assert run.quality.energy_error_percent < 0.5
+
+
 def test_the_picture_shows_every_segment_at_every_frame(runs: dict[str, Simulation]):
     for name in DYNAMIC:
         film = runs[name].motion

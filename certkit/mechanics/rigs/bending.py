@@ -65,7 +65,15 @@ def fit_supports(site: Site, supports: Supports) -> None:
 
 
 def fit_loading_ram(site: Site, ram: LoadingRam) -> None:
-    """Let the ram press at mid-span; at the knee its nose leans on both blocks."""
+    """Let the ram press at mid-span; at the knee its nose leans on both blocks.
+
+    Raises
+    ------
+    RunError
+        When nothing carries the specimen.
+    """
+    if site.rig.supports is None:
+        raise RunError("a loading ram needs rollers that carry the specimen; add `supports` to the rig")
     site.assembly.schedule = schedule(ram)
     centre = middle(site)
     if site.leg.segments[0].part != "knee":

@@ -10,10 +10,10 @@ from certkit.mechanics.laws import CUSHION
 from certkit.mechanics.rigs.site import GRAVITY, Site
 
 if TYPE_CHECKING:
-    from certkit.definitions.rig import Hinge, Release
+    from certkit.definitions.rig import Release
 
 
-def fit_release(site: Site, release: Release, hinge: Hinge | None) -> None:
+def fit_release(site: Site, release: Release) -> None:
     """Give the leg the speed of its fall at first contact, or lift it to its release angle.
 
     Raises
@@ -21,6 +21,7 @@ def fit_release(site: Site, release: Release, hinge: Hinge | None) -> None:
     RunError
         When there is no hinge to swing about.
     """
+    hinge = site.rig.hinge
     if hinge is None:
         raise RunError("a release needs a hinge to swing about; add `hinge` to the rig")
     height = site.beyond(hinge.at, float(hinge.offset))
