@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from certkit.cli import options
+from certkit.cli import options  # noqa: TC001  # typer reads annotations
 
 if TYPE_CHECKING:
     from certkit.identification import ExtractionResult
@@ -32,8 +32,9 @@ def extract(
 ) -> None:
     """Extract a lumped vehicle from finite-element histories, by momentum and impulse.
 
-    Writes the vehicle document, the extraction result and a report with the force, shortening and stiffness of every load path.
-    Use the vehicle with `certkit run --procedure vehicle --set vehicle=FOLDER/vehicle.yaml`.
+    Writes the vehicle document, the extraction result and a report with the force, shortening and stiffness
+    of every load path. Use the vehicle with `certkit run --procedure vehicle --set
+    vehicle=FOLDER/vehicle.yaml`.
     """
     from certkit.definitions.library import load  # noqa: PLC0415  # pydantic waits until a case is read
     from certkit.files import write_whole  # noqa: PLC0415  # likewise
@@ -83,7 +84,8 @@ def _show(result: ExtractionResult, target: Path) -> None:
     if result.material and result.material.rms_percent is not None:
         material = result.material
         typer.echo(
-            f"stress–strain of {material.path} from strain {material.strain_from:g}: {material.rms_percent:.1f} % rms, "
+            f"stress–strain of {material.path} from strain {material.strain_from:g}: "
+            f"{material.rms_percent:.1f} % rms, "
             f"{material.mean_percent:+.1f} % in the mean against the material's curve"
         )
     typer.echo(f"written to {target}")

@@ -1,4 +1,4 @@
-"""The case document: which finite-element histories hold a vehicle, how its parts are grouped, what lies between them."""
+"""The case document: finite-element histories, how parts are grouped, and what lies between the groups."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class RigidBody(Section):
 
 
 class PartColumns(Section):
-    """Columns of one part in a tidy CSV; a `*` in the part's name and in the columns stands for the same words."""
+    """Columns of one part in a tidy CSV; a `*` in its name and in the columns stands for the same words."""
 
     mass: Mass | None = None
     momentum: str | None = None
@@ -38,7 +38,7 @@ class ContactColumns(Section):
 
 
 class SpringColumns(Section):
-    """Columns of one spring to the ground in a tidy CSV; the force is what the structure puts on the ground."""
+    """Columns of one spring to the ground in a tidy CSV; the force is the one on the ground."""
 
     force: str
     shortening: str | None = None

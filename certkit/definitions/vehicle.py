@@ -12,7 +12,7 @@ from certkit.definitions.origin import Damping, Force, Length, Mass, Ratio, Stif
 
 
 class Group(Section):
-    """A lumped part of the front that moves along the car. Heights are above the ground; x grows into the car."""
+    """A lumped part of the front. Heights are above the ground; x grows into the car."""
 
     kind: Literal["fascia", "hood", "engine room"]
     mass: Mass
@@ -28,12 +28,7 @@ class Group(Section):
         faults: list[Fault] = []
         given = [value is not None for value in (self.low, self.high, self.position)]
         if any(given) and not all(given):
-            faults.append(
-                (
-                    (),
-                    "a face has low, high and position; give all three, or none for a group that is not touched",
-                )
-            )
+            faults.append(((), "a face has low, high and position; give all three, or none"))
         if self.low is not None and self.high is not None and self.high <= self.low:
             faults.append((("high",), "`high` is not above `low`; swap them"))
         if faults:
@@ -51,10 +46,11 @@ class Bottoming(Section):
 class Connection(Section):
     """What lies between two groups, or between a group and the ground: a spring law and a damper.
 
-    Loading is piecewise linear through `loading` (shortening, force), continued with its last slope, and with `bottoming`
-    beyond its travel. From the largest shortening x and force F so far, unloading and reloading run down with the `unloading`
-    stiffness to the line from `permanent set`·x to `residual`·F, then along it; never below zero. Points at negative
-    shortenings are the pulling side of a spring with `tension`.
+    Loading is piecewise linear through `loading` (shortening, force), continued with its last slope, and
+    with `bottoming` beyond its travel. From the largest shortening x and force F so far, unloading and
+    reloading run down with the `unloading` stiffness to the line from `permanent set`·x to `residual`·F,
+    then along it; never below zero. Points at negative shortenings are the pulling side of a spring with
+    `tension`.
     """
 
     between: Annotated[

@@ -1,10 +1,10 @@
 """Steps 2 and 3: momentum of each group, and from it the impulse and force in every load path.
 
-For each group, the change of its momentum is what has flowed in less what has flowed out. Some flows were recorded
-(contacts, springs to the ground); the others are unknown and follow from the balances, which is the same as saying: the
-impulse through a cut is what all groups upstream of it have lost. Where there are more balances than unknown flows the
-surplus tells how well the impulse closes; where there are fewer, recorded contacts have to help, and if they
-cannot, the case is refused rather than guessed.
+For each group, the change of its momentum is what has flowed in less what has flowed out. Some flows were
+recorded (contacts, springs to the ground); the others are unknown and follow from the balances, which is the
+same as saying: the impulse through a cut is what all groups upstream of it have lost. Where there are more
+balances than unknown flows the surplus tells how well the impulse closes; where there are fewer, recorded
+contacts have to help, and if they cannot, the case is refused rather than guessed.
 """
 
 from __future__ import annotations
@@ -118,7 +118,8 @@ def flows(graph: Graph, momenta: dict[str, Values], histories: PartHistories, gr
         if not _determinate(loose, graph):
             raise DataError(
                 "the balances cannot tell how the load divides between "
-                f"{', '.join(link.name for link in _surplus(loose, graph))}; record a contact in one of these paths"
+                f"{', '.join(link.name for link in _surplus(loose, graph))}; record a contact in one of "
+                "these paths"
             )
     solved, balances = _solve(graph, momenta, recorded)
     impulses = {**recorded, **solved}
@@ -143,11 +144,15 @@ def flows(graph: Graph, momenta: dict[str, Values], histories: PartHistories, gr
 
 
 def _contact_impulse(link: Link, histories: PartHistories, grid: Grid) -> Values:
-    """Return what a contact has passed on. A contact only pushes, so it flows from first to second whatever the file's sign."""
+    """Return what a contact has passed on.
+
+    A contact only pushes, so its impulse flows from the first to the second group, whatever sign the file
+    gives.
+    """
     impulse = grid.resample(histories.contact(str(link.contact)).impulse)
     impulse = impulse - impulse[0]
     largest = impulse[int(np.argmax(np.abs(impulse)))]
-    return -impulse if largest < 0 else impulse
+    return np.asarray(-impulse if largest < 0 else impulse)
 
 
 def _spring_impulse(link: Link, histories: PartHistories, grid: Grid) -> Values:

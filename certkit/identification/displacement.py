@@ -1,7 +1,7 @@
 """Step 4: displacement of each group and shortening of each path.
 
-The leg bends to the shape of the fascia's front, so a fascia group moves with its front face; every other group
-moves with its centre of gravity.
+The leg bends to the shape of the fascia's front, so a fascia group moves with its front face; every other
+group moves with its centre of gravity.
 """
 
 from __future__ import annotations
@@ -55,7 +55,8 @@ def _of_parts(
         moved = history.front if wanted == "front" else history.displacement
         if moved is None:
             raise DataError(
-                f"{histories.source}: group `{name}` ({group.kind}) moves with its {wanted}, which was not recorded for "
+                f"{histories.source}: group `{name}` ({group.kind}) moves with its {wanted}, which was not "
+                "recorded for "
                 f"part `{part}`; name nodes under `moves with`"
             )
         values.append(grid.resample(moved))

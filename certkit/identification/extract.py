@@ -99,13 +99,15 @@ def extract(
         fit = _fit(flow, steps)
         if fit is None:
             warnings.append(
-                f"{flow.link.name}: carries a force, but not by getting shorter: no law; the front lacks this path"
+                f"{flow.link.name}: carries a force, but not by getting shorter: no law; the front lacks "
+                "this path"
             )
         else:
             fits[flow.link.name] = fit
             if fit.misfit > POOR_FIT:
                 warnings.append(
-                    f"{flow.link.name}: its force is no clear function of its shortening (law misses it by {fit.misfit:.0f} % rms)"
+                    f"{flow.link.name}: its force is no clear function of its shortening (law misses it by "
+                    f"{fit.misfit:.0f} % rms)"
                 )
             if not fit.unloaded:
                 notes.append(
@@ -178,8 +180,10 @@ def _closure_warnings(steps: _Steps) -> list[str]:
         for closure in flow.closures:
             if closure.percent > limit:
                 seen[closure.title] = (
-                    f"impulse does not close: {closure.title}: {closure.residual:.3g} N·s of {closure.impulse:.3g} N·s "
-                    f"({closure.percent:.1f} %); is a path, a part or a contact missing, or a path's direction reversed?"
+                    f"impulse does not close: {closure.title}: {closure.residual:.3g} N·s of "
+                    f"{closure.impulse:.3g} N·s "
+                    f"({closure.percent:.1f} %); is a path, a part or a contact missing, or a path's "
+                    "direction reversed?"
                 )
     return list(seen.values())
 
@@ -198,13 +202,15 @@ def _material(
     spread = front_spread(material, steps.data.histories, steps.grid)
     if spread is not None and spread > MOST_SPREAD:
         warnings.append(
-            f"no stress–strain curve: the block's front is not crushed uniformly (its nodes differ by {spread:.0f} % of the crush), "
+            "no stress–strain curve: the block's front is not crushed uniformly (its nodes differ by "
+            f"{spread:.0f} % of the crush), "
             "so force over area means nothing; the stiffness itself holds for this contact only"
         )
         return None, {}
     if spread is None:
         warnings.append(
-            "whether the block is crushed uniformly was not checked: name nodes spread over its front as `faces`"
+            "whether the block is crushed uniformly was not checked: name nodes spread over its front as "
+            "`faces`"
         )
     flow = next(f for f in steps.flows if f.link.name == name)
     history = (shortening(flow.link, steps.displacements), flow.force)

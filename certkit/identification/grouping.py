@@ -1,7 +1,7 @@
 """Step 1: parts become groups, and groups a graph of load paths.
 
-Momentum flows through the graph: a path passes it on from its first group to its second. `ground` takes up whatever arrives
-and has no balance of its own.
+Momentum flows through the graph: a path passes it on from its first group to its second. `ground` takes up
+whatever arrives and has no balance of its own.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from certkit.errors import DataError
 
 if TYPE_CHECKING:
-    from certkit.definitions.case import Case, CaseGroup
+    from certkit.definitions.case import Case, CaseGroup, Path
     from certkit.exchange.fe import PartHistories
 
 GROUND = "ground"
@@ -62,9 +62,14 @@ def build_graph(case: Case, histories: PartHistories) -> Graph:
     Raises
     ------
     DataError
-        For a part that is missing or in two groups, an unknown group, a path twice, a group that no path reaches.
+        For a part that is missing or in two groups, an unknown group, a path twice, a group that no path
+        reaches.
     """
     groups = {name: _parts(name, group, histories) for name, group in case.groups.items()}
+    if GROUND in groups:
+        raise DataError(
+            "a group cannot be called `ground`: that is the car's body, which takes up what arrives"
+        )
     owner: dict[str, str] = {}
     for name, parts in groups.items():
         for part in parts:
@@ -73,36 +78,30 @@ def build_graph(case: Case, histories: PartHistories) -> Graph:
                     f"part `{part}` is in the groups `{owner[part]}` and `{name}`; it can be in one"
                 )
             owner[part] = name
-    if GROUND in groups:
-        raise DataError(
-            "a group cannot be called `ground`: that is the car's body, which takes up what arrives"
-        )
-    links = []
+    links: dict[str, Link] = {}
     for path in case.paths:
-        source, target = path.between
-        for end in (source, target):
-            if end != GROUND and end not in groups:
-                known = ", ".join([*groups, GROUND])
-                raise DataError(f"path {path.name}: there is no group `{end}`; there are {known}")
-        if source == target:
-            raise DataError(f"path {path.name} leads back to its own group")
-        if path.spring is not None and target != GROUND:
-            raise DataError(
-                f"path {path.name}: a recorded spring leads to the ground; write [{source}, ground]"
-            )
-        start = None if path.start is None else float(path.start)
-        links.append(
-            Link(path.name, source, target, path.contact, path.spring, path.tension, path.law, start)
-        )
-    names = [link.name for link in links]
-    for name in names:
-        if names.count(name) > 1:
-            raise DataError(f"path {name} stands there twice; join them into one")
-    reached = {end for link in links for end in (link.source, link.target)}
+        if path.name in links:
+            raise DataError(f"path {path.name} stands there twice; join them into one")
+        links[path.name] = _link(path, groups)
+    reached = {end for link in links.values() for end in (link.source, link.target)}
     for name in groups:
         if name not in reached:
             raise DataError(f"no path reaches group `{name}`; add one or leave the group out")
-    return Graph(groups, tuple(links))
+    return Graph(groups, tuple(links.values()))
+
+
+def _link(path: Path, groups: dict[str, tuple[str, ...]]) -> Link:
+    source, target = path.between
+    for end in (source, target):
+        if end != GROUND and end not in groups:
+            known = ", ".join([*groups, GROUND])
+            raise DataError(f"path {path.name}: there is no group `{end}`; there are {known}")
+    if source == target:
+        raise DataError(f"path {path.name} leads back to its own group")
+    if path.spring is not None and target != GROUND:
+        raise DataError(f"path {path.name}: a recorded spring leads to the ground; write [{source}, ground]")
+    start = None if path.start is None else float(path.start)
+    return Link(path.name, source, target, path.contact, path.spring, path.tension, path.law, start)
 
 
 def _parts(name: str, group: CaseGroup, histories: PartHistories) -> tuple[str, ...]:
@@ -114,7 +113,8 @@ def _parts(name: str, group: CaseGroup, histories: PartHistories) -> tuple[str, 
             raise DataError(f"group `{name}`: {error}") from None
         if part.momentum is None:
             raise DataError(
-                f"{histories.source}: group `{name}`: part `{pattern}` has no momentum; if it is a rigid body, describe it "
+                f"{histories.source}: group `{name}`: part `{pattern}` has no momentum; if it is a rigid "
+                "body, describe it "
                 "under `rigid bodies` (its mass and main node)"
             )
         parts.append(next(n for n, p in histories.parts.items() if p is part))

@@ -1,13 +1,14 @@
 """The law of a spring between two groups: loading curve, unloading branch, permanent set, damping.
 
-The same law stands in a vehicle document and is simulated by the mechanics room (`certkit.mechanics.vehicle_law`); a test
-holds the two against each other. For shortening x with largest shortening so far xm and Fm = B(xm):
+The same law stands in a vehicle document and is simulated by the mechanics room
+(`certkit.mechanics.vehicle_law`); a test holds the two against each other. For shortening x with largest
+shortening so far xm and Fm = B(xm):
 
 - loading (x ≥ xm): F = B(x), piecewise linear, continued with its last slope;
-- unloading and reloading (x < xm): F = max(Fm − k·(xm − x), r·Fm·(x − xs)/(xm − xs), 0), never above B(x), with the
-  unloading stiffness k, the residual share r and the permanent set xs = s·xm;
-- extension, for a path that can pull: the same with the loading curve's negative part, measured from the length that the
-  shortening has left behind;
+- unloading and reloading (x < xm): F = max(Fm − k·(xm − x), r·Fm·(x − xs)/(xm − xs), 0), never above B(x),
+  with the unloading stiffness k, the residual share r and the permanent set xs = s·xm;
+- extension, for a path that can pull: the same with the loading curve's negative part, measured from the
+  length that the shortening has left behind;
 - damping: c·dx/dt while the spring is engaged; a path that cannot pull never pulls by its damper either.
 """
 
@@ -113,7 +114,7 @@ def _continued(x: Values, xs: Values, fs: Values) -> Values:
     if xs.size < 2:
         return np.zeros_like(x)
     slope = max((fs[-1] - fs[-2]) / (xs[-1] - xs[-2]), 0.0)
-    return np.interp(x, xs, fs) + slope * np.maximum(x - xs[-1], 0.0)
+    return np.asarray(np.interp(x, xs, fs) + slope * np.maximum(x - xs[-1], 0.0))
 
 
 def _history(x: Values, loading: Curve, branch: Branch) -> Values:

@@ -1,7 +1,7 @@
-"""From a path's stiffness to engineering stress–strain, beside the material's own curve: the seed's verification (Fig. 20).
+"""From a path's stiffness to engineering stress–strain, beside the material's own curve.
 
-The conversion holds only where the block is crushed uniformly. It is refused where nodes spread over its front do not move
-alike.
+The conversion holds only where the block is crushed uniformly. It is refused where nodes spread over its
+front do not move alike.
 """
 
 from __future__ import annotations
@@ -27,11 +27,17 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 MOST_SPREAD = 10.0
-"""Per cent of the largest crush by which the front's nodes may differ; uniform crush stays below 3 %, local crush above 50 %."""
+"""Per cent of the largest crush by which the front's nodes may differ.
+
+Uniform crush stays below 3 %, local crush lies above 50 %.
+"""
 
 
 def front_spread(material: Material, histories: PartHistories, grid: Grid) -> float | None:
-    """Return by how many per cent of their mean the front's nodes differ at the largest crush; None when no nodes are named."""
+    """Return by how many per cent of their mean the front's nodes differ at the largest crush.
+
+    None when no nodes are named.
+    """
     if len(material.faces) < 2:
         return None
     moved = np.array([grid.resample(histories.node(node)) for node in material.faces])
@@ -50,8 +56,8 @@ def convert(
 ) -> tuple[MaterialResult, dict[str, str]]:
     """Convert a path's law to engineering stress–strain and compare it with the material's curve.
 
-    The comparison is the rms of the stress difference over the crushed range from `strain from` on, in per cent of the material's
-    largest stress there; `mean` is the mean relative difference, signed.
+    The comparison is the rms of the stress difference over the crushed range from `strain from` on, in per
+    cent of the material's largest stress there; `mean` is the mean relative difference, signed.
 
     Returns
     -------
@@ -74,7 +80,8 @@ def convert(
         top = min(float(strain[-1]), float(reference_strain[-1]))
         if top <= material.strain_from:
             raise DataError(
-                f"the block is crushed to a strain of {top:.2f} only; the comparison starts at {material.strain_from:.2f}"
+                f"the block is crushed to a strain of {top:.2f} only; the comparison starts at "
+                f"{material.strain_from:.2f}"
             )
         at = np.linspace(material.strain_from, top, 201)
         wanted = np.interp(at, reference_strain, reference_stress)

@@ -1,6 +1,7 @@
 """`ExtractionResult`: everything an extraction found, as plain data that a report is rendered from.
 
-Values are SI unless a name says otherwise. Schema `certkit-extraction/1`: fields may be added, none changes its meaning.
+Values are SI unless a name says otherwise. Schema `certkit-extraction/1`: fields may be added, none changes
+its meaning.
 """
 
 from __future__ import annotations
@@ -61,7 +62,7 @@ class LawResult:
 
 @dataclass(frozen=True)
 class PathResult:
-    """A load path over time: impulse (N·s), force (N), recorded contact force (N), shortening (m), and its law."""
+    """A load path over time: impulse (N·s), force and recorded contact force (N), shortening (m); its law."""
 
     name: str
     source: str

@@ -1,7 +1,7 @@
 """Uniform time axis, smoothing and differentiation of histories.
 
-Measured on the seed's bumper (force against the recorded contact force, rms of the peak): central difference and cubic
-Savitzky–Golay over 1 ms 1.7 %, CFC 600 1.7 %, CFC 180 3.2 %, smoothing splines 4 to 13 %.
+Measured on the seed's bumper (force against the recorded contact force, rms of the peak): central difference
+and cubic Savitzky–Golay over 1 ms 1.7 %, CFC 600 1.7 %, CFC 180 3.2 %, smoothing splines 4 to 13 %.
 """
 
 from __future__ import annotations
@@ -23,8 +23,11 @@ FEWEST = 5
 """Samples that a cubic filter needs to do anything."""
 
 CLEAN = 5e-4
-"""A derivative that smoothing over `FEWEST` samples changes by less than this share of its peak (rms) holds no noise, and a wide
-window would only blur its corners. Explicit finite-element runs lie above it, integrated equations of motion below."""
+"""A derivative that smoothing over `FEWEST` samples changes by less than this share of its peak is clean.
+
+A wide window would only blur its corners. Explicit finite-element runs lie above it (rms), integrated
+equations of motion below.
+"""
 
 MOST_SAMPLES = 200_000
 
@@ -57,7 +60,7 @@ class Grid:
         return np.interp(self.time, self.raw, values)
 
     def smooth(self, values: Values) -> Values:
-        """Smooth with a cubic Savitzky–Golay filter over the window; below `FEWEST` samples it leaves values alone."""
+        """Smooth with a cubic Savitzky–Golay filter over the window; a too short one leaves values alone."""
         return _smoothed(values, round(self.window / self.step) // 2 * 2 + 1)
 
     def derivative(self, values: Values) -> Values:
@@ -97,6 +100,7 @@ def make_grid(raw: Values, *, window: float | None, until: float | None) -> Grid
     if gap > 5 * step:
         at = float(raw[int(np.argmax(np.diff(raw)))])
         raise DataError(
-            f"there is a hole of {1e3 * gap:.3g} ms in the histories at {1e3 * at:.4g} ms; join the runs first"
+            f"there is a hole of {1e3 * gap:.3g} ms in the histories at {1e3 * at:.4g} ms; join the runs "
+            "first"
         )
     return Grid(raw, raw[0] + step * np.arange(count), DEFAULT_WINDOW if window is None else window)

@@ -1,12 +1,14 @@
 """Step 5: the law of each path from its force and shortening.
 
-The loading curve is a piecewise-linear fit to the instants at which the shortening is the largest so far; then the unloading
-branch and the damper are those that best repeat the whole history. A damper is kept only where it earns its place.
+The loading curve is a piecewise-linear fit to the instants at which the shortening is the largest so far;
+then the unloading branch and the damper are those that best repeat the whole history. A damper is kept only
+where it earns its place.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,14 +25,16 @@ if TYPE_CHECKING:
 KNOTS = 60
 ROUGH_KNOTS = 20
 ROUGH = 5.0
-"""Where a law with many knots misses its history by more than this (per cent, rms), the knots would follow noise: few are used."""
+"""Where a law with many knots misses its history by more than this (% rms), they would follow noise."""
 
 BEYOND = 0.5
-"""A loading curve is continued by this share of its range, with the mean slope of its last fifth: one knot's slope is noise."""
+"""A loading curve is continued by this share of its range, with the mean slope of its last fifth."""
 
 SIMPLIFY = 0.002
-"""Points of the loading curve may be left out as long as the curve moves by less than this share of its peak, and a twentieth
-of the law's misfit more: points that describe noise are worth nothing."""
+"""Points of the loading curve may be left out as long as it moves by less than this share of its peak.
+
+A twentieth of the law's misfit is added: points that describe noise are worth nothing.
+"""
 
 VIRGIN = 0.003
 """A shortening within this share of the range below its largest value so far still counts as loading."""
@@ -79,7 +83,7 @@ def fit_law(x: Values, v: Values, force: Values, *, tension: bool) -> Fit | None
     span = float(np.ptp(x))
     if peak <= 0 or span <= 1e-7:
         return None
-    problem = _Problem(x, v, force, tension, peak)
+    problem = _Problem(x, v, force, tension=tension, peak=peak)
     if not problem.carries:
         return None
     fit = _fitted(problem)
@@ -94,7 +98,9 @@ def _fitted(problem: _Problem) -> Fit:
         law = problem.law(Branch(4.0 * problem.secant), 0.0)
         return Fit(law, problem.misfit(law), unloaded=False)
     bare = problem.best(STARTS)
-    damped = problem.best(((bare.branch.stiffness / problem.secant, bare.branch.residual, bare.branch.permanent_set, 0.1),))
+    branch = bare.branch
+    start = (branch.stiffness / problem.secant, branch.residual, branch.permanent_set, 0.1)
+    damped = problem.best((start,))
     keep = problem.misfit(damped) < DAMPER_GAIN * problem.misfit(bare)
     law = damped if keep else bare
     return Fit(law, problem.misfit(law), unloaded=True)
@@ -103,7 +109,7 @@ def _fitted(problem: _Problem) -> Fit:
 class _Problem:
     """One path's history, and the laws that can be laid through it."""
 
-    def __init__(self, x: Values, v: Values, force: Values, tension: bool, peak: float) -> None:  # noqa: FBT001  # private
+    def __init__(self, x: Values, v: Values, force: Values, *, tension: bool, peak: float) -> None:
         self.x, self.v, self.force, self.tension, self.peak = x, v, force, tension, peak
         self.pushed = np.maximum(x, 0.0)
         self.knots = KNOTS
@@ -115,7 +121,7 @@ class _Problem:
 
     @property
     def unloads(self) -> bool:
-        """Tell whether the history shows an unloading branch: force falls away after the largest shortening."""
+        """Tell whether the history shows an unloading branch: force falls after the largest shortening."""
         x = np.abs(self.x) if self.tension else self.pushed
         k = int(np.argmax(x))
         after = np.abs(self.force[k:])
@@ -152,7 +158,7 @@ class _Problem:
         return float(100 * np.sqrt(np.mean((model - self.force)[acting] ** 2)) / self.peak)
 
     def best(self, starts: Sequence[tuple[float, ...]]) -> SpringLaw:
-        """Search the branch, and the damper where the starts have a fourth value, by least squares from each start."""
+        """Search the branch, and the damper where the starts have a fourth value, by least squares."""
         from scipy.optimize import least_squares  # noqa: PLC0415  # 0.9 s, only here
 
         damped = len(starts[0]) > 3
@@ -171,7 +177,10 @@ class _Problem:
         found = []
         for ratio, *others in starts:
             start = np.clip([np.log(ratio), *others], lower + 1e-3, upper - 1e-3)
-            fit = least_squares(residuals, start, bounds=(lower, upper), diff_step=[1e-3] * len(start), ftol=1e-5, max_nfev=40)
+            steps = [1e-3] * len(start)
+            fit = least_squares(
+                residuals, start, bounds=(lower, upper), diff_step=steps, ftol=1e-5, max_nfev=40
+            )
             found.append((float(fit.cost), tuple(fit.x)))
         return law_of(np.array(min(found)[1]))
 
@@ -197,9 +206,10 @@ def _curve(x: Values, force: Values, start: float, top: float, count: int) -> tu
 
 
 def _knot_values(left: NDArray[np.int64], share: Values, force: Values, count: int) -> Values:
-    """Solve for the values at all knots but the first, which is zero: least squares on hats with a smoothness penalty.
+    """Solve for the values at all knots but the first, which is zero: hats with a smoothness penalty.
 
-    The normal equations have five diagonals, so this takes microseconds where a dense solver takes milliseconds.
+    The normal equations have five diagonals, so this takes microseconds where a dense solver takes
+    milliseconds.
     """
     from scipy.linalg import solveh_banded  # noqa: PLC0415  # 0.9 s, only here
 
@@ -242,7 +252,7 @@ def _simplified(law: SpringLaw, share: float) -> SpringLaw:
     tolerance = share * float(np.max(np.abs(f)))
     keep = {0, len(x) - 1, int(np.argmin(np.abs(x)))}
     edge = sorted(keep)
-    spans = list(zip(edge[:-1], edge[1:], strict=True))
+    spans = list(pairwise(edge))
     while spans:
         a, b = spans.pop()
         if b - a < 2:

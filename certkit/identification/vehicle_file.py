@@ -18,8 +18,8 @@ _HASH_DIGITS = 12
 def vehicle_text(result: ExtractionResult) -> str:
     """Write the vehicle document of an extraction.
 
-    The impactor is left out. A group that only a path without a law holds to the ground is taken for ground itself, because
-    nothing is known of how it gives way.
+    The impactor is left out. A group that only a path without a law holds to the ground is taken for ground
+    itself, because nothing is known of how it gives way.
 
     Raises
     ------
@@ -34,14 +34,16 @@ def vehicle_text(result: ExtractionResult) -> str:
         raise DataError(
             "no group has a face (low, high, position): the leg would hit nothing; add faces to the case"
         )
-    together = sha256("".join(f"{name} {digest}\n" for name, digest in sorted(result.inputs.items())).encode()).hexdigest()
-    files = [f"input {name}: SHA-256 {digest}" for name, digest in sorted(result.inputs.items())]
+    inputs = sorted(result.inputs.items())
+    together = sha256("".join(f"{name} {digest}\n" for name, digest in inputs).encode()).hexdigest()
+    source = f"extracted from the case {result.case} (inputs, SHA-256 {together[:_HASH_DIGITS]})"
+    files = [f"input {name}: SHA-256 {digest}" for name, digest in inputs]
     lines = [
         f"# Written by certkit extract from the case {result.case}; do not edit, extract again.",
         f"vehicle: {result.vehicle or result.case}",
         f"title: {_quoted(result.title)}",
         "origin:",
-        f"  source: {_quoted(f'extracted from the case {result.case} (inputs, SHA-256 {together[:_HASH_DIGITS]})')}",
+        f"  source: {_quoted(source)}",
         "  confidence: derived",
         "groups:",
     ]

@@ -1,4 +1,4 @@
-"""What the front of a vehicle did in a run: forces on its faces, movement of its groups, force and shortening of its springs."""
+"""What the front of a vehicle did in a run: forces on its faces, movement of its groups, its springs."""
 
 from __future__ import annotations
 

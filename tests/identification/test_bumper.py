@@ -59,7 +59,9 @@ def test_local_crush_gets_no_stress_strain_curve_and_says_why() -> None:
     assert any("not crushed uniformly" in warning for warning in result.warnings)
 
 
-def test_leaving_the_fascia_out_of_what_lies_upstream_costs_several_per_cent(reference: ExtractionResult) -> None:
+def test_leaving_the_fascia_out_of_what_lies_upstream_costs_several_per_cent(
+    reference: ExtractionResult,
+) -> None:
     impactor = np.array(next(g for g in reference.groups if g.name == "impactor").momentum)
     force = np.array(next(p for p in reference.paths if p.name == "fascia – beam").recorded_force)
     without = -np.gradient(impactor, reference.interval)

@@ -1,4 +1,4 @@
-"""A chain of masses and hysteretic springs with known laws, integrated by scipy: `extract` must give each law back."""
+"""A chain of masses and hysteretic springs with known laws, integrated by scipy: each law comes back."""
 
 from __future__ import annotations
 
@@ -73,7 +73,9 @@ def chain() -> dict[str, np.ndarray]:
     x, v = run.y[:3], run.y[3:6]
     s = _shortenings(x)
     tops = np.maximum.accumulate(np.maximum(s, 0), axis=1)
-    force = np.array([[law.force(s[i, k], tops[i, k]) for k in range(time.size)] for i, law in enumerate(LAWS)])
+    force = np.array(
+        [[law.force(s[i, k], tops[i, k]) for k in range(time.size)] for i, law in enumerate(LAWS)]
+    )
     return {"time": time, "x": x, "v": v, "s": s, "force": force}
 
 
@@ -155,7 +157,8 @@ def test_each_unloading_branch_comes_back_within_one_per_cent_of_the_peak_force(
     x = np.linspace(0, top, 400)
     wanted = np.array([LAWS[path].force(v, top) for v in x])
     got = np.array([known.force(v, top) for v in x])
-    # In the steep part a hundredth of a millimetre is a per cent of force, so compare along the curve's normal.
+    # In the steep part a hundredth of a millimetre is a per cent of force, so compare along the curve's
+    # normal.
     slack = 0.002 * top
     near = [np.abs(np.interp(x + d, x, got) - wanted) for d in np.linspace(-slack, slack, 21)]
     assert np.min(near, axis=0).max() < 0.01 * wanted.max()

@@ -40,7 +40,7 @@ def cfc180(values: np.ndarray, interval: float) -> np.ndarray:
 
 
 def first_peak(values: np.ndarray, interval: float) -> tuple[float, float]:
-    """Return the largest filtered value up to 22 ms after the finite-element run's start, and its time after contact."""
+    """Return the largest filtered value up to 22 ms after the run's start, and its time after contact."""
     smooth = cfc180(values, interval)[: round((0.022 + 0.003 - FLIGHT) / interval)]
     k = int(np.argmax(smooth))
     return float(smooth[k]), k * interval
@@ -104,7 +104,12 @@ def test_another_front_in_the_same_layout_is_extracted_by_the_same_case(tmp_path
 
 
 def test_a_load_that_nobody_can_divide_is_refused_not_guessed(tmp_path: Path) -> None:
-    text = (FRONT / "case.yaml").read_text().replace(', contact: "foam_F4_*"', "").replace(', contact: "foam_F5_*"', "")
+    text = (
+        (FRONT / "case.yaml")
+        .read_text()
+        .replace(', contact: "foam_F4_*"', "")
+        .replace(', contact: "foam_F5_*"', "")
+    )
     (tmp_path / "case.yaml").write_text(text)
     with pytest.raises(DataError, match=r"cannot tell how the load divides between .*F4 – E2"):
         extract(load("case", tmp_path / "case.yaml").document, FRONT)

@@ -1,3 +1,4 @@
+# ruff: noqa: E501  # a table reads best with one line a case
 """The leg against a front: the springs' law, the contact without steps, the direction of every change."""
 
 from __future__ import annotations
@@ -176,7 +177,7 @@ def test_faces_of_different_kinds_or_with_a_gap_between_them_stay_apart() -> Non
         ("[22 mm, 1540 N]", "[22 mm, -1540 N]", "pulls where it is pressed"),
         ("[22 mm, 1540 N]", "[22 mm, 1540]", "has no unit"),
         ("residual: 0.2, damping: 60 N·s/m, bottoming: {at: 70 mm", "residual: 1.2, damping: 60 N·s/m, bottoming: {at: 70 mm", "between 0 and 1"),
-        ("damping: 60 N·s/m", "damping: -60 N·s/m", "zero"),
+        ("damping: 60 N·s/m", "damping: -60 N·s/m", "is negative"),
         ("mass: 0.3 kg, low: 200 mm", "mass: 0 kg, low: 200 mm", "greater than zero"),
         ("between: [F1, E1]", "between: [F1, E9]", "no group `E9`"),
         ("  - {between: [E5, ground]", "  - {between: [E5, E5]", "both ends are `E5`"),
@@ -281,7 +282,8 @@ def test_the_stiffer_the_spoiler_the_less_the_leg_bends_over_the_bumper(vehicle:
 
 @pytest.mark.parametrize("vehicle", SHIPPED)
 def test_the_higher_the_front_the_more_the_upper_tibia_is_bent(vehicle: str) -> None:
-    # Raised by 50 mm, the lower support moves up the tibia less than the bumper's force moves towards the knee:
+    # Raised by 50 mm, the lower support moves up the tibia less than the bumper's force moves towards the
+    # knee:
     # more of the leg's mass hangs below the supports and the bending arm at T1 grows; lowered, it shrinks.
     up, own, down = (
         hit(vehicle, flight=(f"rig.free flight.end above ground={z} mm",)) for z in (25, 75, 125)

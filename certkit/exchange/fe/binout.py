@@ -1,8 +1,9 @@
 """LS-DYNA binout files through lasso-python, an optional extra that is imported only here.
 
-What binout files do, and this reader handles: a table with a single id comes back one-dimensional; every table has its own
-time vector; keys come in any order; `rcforc` lists each contact twice, once a side; `matsum` has momenta, or only mass and
-rigid-body velocity; nowhere stands a part's centre of gravity, so its displacement is the integral of its velocity.
+What binout files do, and this reader handles: a table with a single id comes back one-dimensional; every
+table has its own time vector; keys come in any order; `rcforc` lists each contact twice, once a side;
+`matsum` has momenta, or only mass and rigid-body velocity; nowhere stands a part's centre of gravity, so its
+displacement is the integral of its velocity.
 """
 
 from __future__ import annotations
@@ -51,36 +52,41 @@ def read_binout(path: Path, units: Units, rigid_bodies: Mapping[str, RigidBody])
     time = binout.array("matsum", "time") * units.time
     require_time_axis(time, source)
     notes = ["displacements of centres of gravity are integrals of the parts' velocities"]
+    nodes = _nodes(binout, time, units) if "nodout" in tables else {}
     parts = _parts(binout, time, units, rigid_bodies, notes)
-    nodes: dict[str, Values] = {}
-    if "nodout" in tables:
-        at = binout.array("nodout", "time") * units.time
-        moved = binout.columns("nodout", "x_displacement") * units.length
-        for k, name in enumerate(binout.legend("nodout", moved.shape[1])):
-            nodes[name] = np.interp(time, at, moved[:, k])
     for name, body in rigid_bodies.items():
-        if nodes and body.node in nodes:
-            parts[name] = PartHistory(body.mass, parts[name].momentum, nodes[body.node], nodes[body.node])
+        if body.node in nodes:
+            moved = nodes[body.node]
+            parts[name] = PartHistory(body.mass, parts[name].momentum, moved, moved)
     contacts = _contacts(binout, time, units) if "rcforc" in tables else {}
     if contacts:
         notes.append("contact impulses are integrals of the recorded forces")
-    energies: dict[str, Values] = {}
-    if "glstat" in tables:
-        at = binout.array("glstat", "time") * units.time
-        for kind in ("kinetic", "internal"):
-            name = f"{kind}_energy"
-            if name in reader.read("glstat"):
-                energies[kind] = np.interp(time, at, binout.array("glstat", name)) * units.energy
     return PartHistories(
         time,
         parts,
         nodes,
         contacts,
-        energies=energies,
+        energies=_energies(binout, time, units) if "glstat" in tables else {},
         notes=tuple(notes),
         source=source,
         files={source: digest},
     )
+
+
+def _nodes(binout: _Binout, time: Values, units: Units) -> dict[str, Values]:
+    at = binout.array("nodout", "time") * units.time
+    moved = binout.columns("nodout", "x_displacement") * units.length
+    names = binout.legend("nodout", moved.shape[1])
+    return {name: np.interp(time, at, moved[:, k]) for k, name in enumerate(names)}
+
+
+def _energies(binout: _Binout, time: Values, units: Units) -> dict[str, Values]:
+    at = binout.array("glstat", "time") * units.time
+    return {
+        kind: np.interp(time, at, binout.array("glstat", f"{kind}_energy")) * units.energy
+        for kind in ("kinetic", "internal")
+        if binout.has("glstat", f"{kind}_energy")
+    }
 
 
 def _open(path: Path, source: str) -> Any:  # noqa: ANN401  # lasso ships no types

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 class Face:
     """Mass and face of one part. Heights are above the ground, x grows into the car; metres and kilograms.
 
-    `position` is x at the middle of the height span and `slope` is dx/dz, both a straight line through the outline.
+    `position` is x at the middle of the height span and `slope` is dx/dz, both a straight line through the
+    outline.
     """
 
     mass: float
@@ -34,10 +35,10 @@ class Face:
 
 
 def read_faces(table: Path, outlines: Path | None) -> tuple[dict[str, Face], dict[str, str]]:
-    """Read `groups_table.csv` (columns group, mass_kg, z_low_mm, z_high_mm) and the outlines of `params.json`.
+    """Read the table of groups (group, mass_kg, z_low_mm, z_high_mm) and the outlines of `params.json`.
 
-    Every key that starts with `fascia` or `hood` and ends with `_poly_x_z` is an outline: a list of (x, z) in mm. A part
-    lies on the outline that covers most of its height span.
+    Every key that starts with `fascia` or `hood` and ends with `_poly_x_z` is an outline: a list of (x, z)
+    in mm. A part lies on the outline that covers most of its height span.
 
     Returns
     -------
@@ -91,7 +92,7 @@ def _outlines(path: Path) -> tuple[list[NDArray[np.float64]], str]:
 def _line(
     low: float, high: float, lines: list[NDArray[np.float64]], row: Mapping[str, str], place: str
 ) -> tuple[float, float]:
-    """Fit a straight line to the outline over the span; without an outline take the table's middle and no slope."""
+    """Fit a line to the outline over the span; without an outline take the table's middle and no slope."""
     best, share = None, 0.0
     for line in lines:
         covered = min(high, line[-1, 1]) - max(low, line[0, 1])

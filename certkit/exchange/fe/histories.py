@@ -1,4 +1,4 @@
-"""`PartHistories`: what every finite-element reader yields, whatever solver wrote the files. SI units throughout.
+"""`PartHistories`: what every finite-element reader yields, whatever solver wrote the files. SI units.
 
 Only the direction of the impact is kept (x along the car), because that is the one a lumped front moves in.
 """
@@ -6,7 +6,6 @@ Only the direction of the impact is kept (x along the car), because that is the 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from fnmatch import fnmatchcase
@@ -15,6 +14,8 @@ from typing import TYPE_CHECKING, TypeVar
 from certkit.errors import DataError
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     import numpy as np
     from numpy.typing import NDArray
 

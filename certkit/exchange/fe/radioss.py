@@ -4,12 +4,12 @@ Both the native file and its conversion to CSV arrive here as `Block`s of variab
 
 - a rigid body's part row is all zero: its momentum is its mass times the velocity of its main node;
 - the mass of a crushed solid drifts: the initial mass counts;
-- contact channels are impulses in the native file, and their central difference, under the same names, in the CSV.
+- contact channels are impulses in the native file, and their central difference, under the same names, in
+  the CSV.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -19,6 +19,8 @@ from certkit.errors import DataError
 from certkit.exchange.fe.histories import ContactHistory, PartHistories, PartHistory, Units, match_one
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from numpy.typing import NDArray
 
     Values = NDArray[np.float64]
@@ -68,8 +70,8 @@ class Channels:
 def impulse_of_differences(force: Values, time: Values) -> Values:
     """Undo a central difference: return the impulse whose central difference `force` is.
 
-    The converter writes F_i = (J_(i+1) − J_(i−1)) / (t_(i+1) − t_(i−1)) and zero in the first and last row. The relation
-    is exactly invertible from rest; a plain cumulative integral would be 0.1 to 0.3 % off.
+    The converter writes F_i = (J_(i+1) − J_(i−1)) / (t_(i+1) − t_(i−1)) and zero in the first and last row.
+    The relation is exactly invertible from rest; a plain cumulative integral would be 0.1 to 0.3 % off.
 
     Parameters
     ----------

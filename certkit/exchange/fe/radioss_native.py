@@ -1,12 +1,13 @@
 """OpenRadioss' native time history (`…T01`): big-endian Fortran records.
 
-No library reads it. The layout was worked out from the files themselves and is checked here against itself: every
-record's length stands before and after it, and the lengths of the data records must agree with the directory.
+No library reads it. The layout was worked out from the files themselves and is checked here against itself:
+every record's length stands before and after it, and the lengths of the data records must agree with the
+directory.
 
 Records: run title with the format code · date · six counts (parts, materials, properties, subsets, groups,
-global variables) · global variable numbers · per part a description and its variable numbers · materials · properties ·
-subsets with their parts and variables · groups with their objects and variables · then for each instant: time, global
-values, part values, subset values, one record for each group; all 32-bit.
+global variables) · global variable numbers · per part a description and its variable numbers · materials ·
+properties · subsets with their parts and variables · groups with their objects and variables · then for each
+instant: time, global values, part values, subset values, one record for each group; all 32-bit.
 """
 
 from __future__ import annotations
@@ -22,9 +23,12 @@ from certkit.exchange.fe.checks import read_bytes, require_finite, require_time_
 from certkit.exchange.fe.radioss import Channels
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
     from pathlib import Path
 
     from numpy.typing import NDArray
+
+    Variables = dict[str, NDArray[np.float64]]
 
 _GLOBALS: tuple[str, ...] = (
     "internal",
@@ -87,7 +91,8 @@ class _Records:
             raise self._cut()
         if struct.unpack_from(">i", content, end)[0] != length:
             raise DataError(
-                f"{self._source}: the record at byte {at} has two different lengths; is this a native OpenRadioss "
+                f"{self._source}: the record at byte {at} has two different lengths; is this a native "
+                "OpenRadioss "
                 "time history (…T01), copied as binary?"
             )
         self._at = end + 4
@@ -116,37 +121,27 @@ def read_native(path: Path) -> Channels:
     content, digest = read_bytes(path)
     source = str(path)
     records = _Records(content, source)
-    directory = _directory(records, source)
+    try:
+        directory = _directory(records, source)
+    except struct.error:
+        raise DataError(f"{source}: a record of the directory is too short; the file is damaged") from None
     time, data = _instants(records, directory, source)
     require_time_axis(time, source)
-    at = 0
-    energies = {}
-    for number in directory.globals_:
-        name = _GLOBALS[number - 1] if number <= len(_GLOBALS) else ""
-        if name in _ENERGIES:
-            energies[name] = data[:, at]
-        at += 1
-    parts: dict[str, dict[str, NDArray[np.float64]]] = {}
-    for name, variables in directory.parts:
-        known = {}
-        for number in variables:
-            if number in _PART_VARIABLES:
-                known[_PART_VARIABLES[number]] = data[:, at]
-            at += 1
-        parts[name] = known
-    at += directory.subset_width
-    objects: dict[int, dict[str, dict[str, NDArray[np.float64]]]] = {_NODE_GROUP: {}, _CONTACT_GROUP: {}}
+    columns = iter(data.T)
+    energies = {
+        _GLOBALS[number - 1]: values
+        for number, values in zip(directory.globals_, columns, strict=False)
+        if number <= len(_GLOBALS) and _GLOBALS[number - 1] in _ENERGIES
+    }
+    parts = {name: _named(variables, columns, _PART_VARIABLES) for name, variables in directory.parts}
+    for _ in range(directory.subset_width):
+        next(columns)
+    objects: dict[int, dict[str, Variables]] = {_NODE_GROUP: {}, _CONTACT_GROUP: {}}
     for group in directory.groups:
-        names = _GROUP_VARIABLES.get(group.kind, ())
+        names = dict(enumerate(_GROUP_VARIABLES.get(group.kind, ()), 1))
         for name in group.names:
-            known = {}
-            for number in group.variables:
-                if number <= len(names):
-                    known[names[number - 1]] = data[:, at]
-                at += 1
-            if group.kind in objects:
-                objects[group.kind][name] = known
-    for kind in (parts, *objects.values()):
+            objects.setdefault(group.kind, {})[name] = _named(group.variables, columns, names)
+    for kind in (parts, objects[_NODE_GROUP], objects[_CONTACT_GROUP]):
         for name, known in kind.items():
             for variable, values in known.items():
                 require_finite(values, f"{name} {variable}", source)
@@ -156,12 +151,21 @@ def read_native(path: Path) -> Channels:
     )  # fmt: skip
 
 
+def _named(
+    variables: tuple[int, ...], columns: Iterator[NDArray[np.float64]], names: Mapping[int, str]
+) -> Variables:
+    """Take one column a variable and keep those that have a name."""
+    taken = {number: next(columns) for number in variables}
+    return {names[number]: np.ascontiguousarray(v) for number, v in taken.items() if number in names}
+
+
 def _directory(records: _Records, source: str) -> _Directory:
     title = records.next()
     code = struct.unpack_from(">i", title)[0] if len(title) >= 4 else 0
     if code not in _TITLE_AT_CODE_40:
         raise DataError(
-            f"{source}: format code {code} is not known (known: {_TITLE_AT_CODE_40.start} to {_TITLE_AT_CODE_40.stop - 1}); "
+            f"{source}: format code {code} is not known (known: {_TITLE_AT_CODE_40.start} to "
+            f"{_TITLE_AT_CODE_40.stop - 1}); "
             "convert the file to CSV and read that"
         )
     records.next()  # date and solver
@@ -204,13 +208,14 @@ def _instants(
     widths = [1, len(directory.globals_), sum(len(v) for _, v in directory.parts), directory.subset_width]
     widths += [len(g.names) * len(g.variables) for g in directory.groups]
     widths = [w for w in widths if w]
-    rows = []
+    rows: list[bytes] = []
     while records:
         blocks = [records.next() for _ in widths]
         for block, width in zip(blocks, widths, strict=True):
             if len(block) != 4 * width:
                 raise DataError(
-                    f"{source}: instant {len(rows) + 1} holds {len(block) // 4} values where the directory announces {width}"
+                    f"{source}: instant {len(rows) + 1} holds {len(block) // 4} values where the directory "
+                    f"announces {width}"
                 )
         rows.append(b"".join(blocks))
     if not rows:

@@ -1,7 +1,8 @@
 """A strict reader for numeric CSV tables: a head, then rows of numbers, nothing else.
 
-Pandas would read these files too, but it turns a damaged cell into NaN or a column of text without saying where;
-here every cell is a number or an error with its row and column. Reading 800 × 224 cells takes about 30 ms.
+Pandas would read these files too, but it turns a damaged cell into NaN or a column of text without saying
+where; here every cell is a number or an error with its row and column. Reading 800 × 224 cells takes about
+30 ms.
 """
 
 from __future__ import annotations
@@ -35,7 +36,8 @@ class Table:
 def read_table(path: Path, *, text_columns: frozenset[str] = frozenset()) -> Table:
     """Read a CSV file (`.csv` or `.csv.gz`) of numbers.
 
-    Blanks around heads are dropped; a comma at the end of every line is allowed. Columns in `text_columns` are skipped.
+    Blanks around heads are dropped; a comma at the end of every line is allowed. Columns in `text_columns`
+    are skipped.
 
     Raises
     ------

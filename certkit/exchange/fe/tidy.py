@@ -1,4 +1,4 @@
-"""Tidy CSV files: one named column a quantity, its unit at the end of the name, and a mapping that says what is what."""
+"""Tidy CSV files: a column a quantity, its unit at the end of its name, and a mapping of what is what."""
 
 from __future__ import annotations
 

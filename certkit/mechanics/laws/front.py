@@ -1,10 +1,11 @@
 """The leg's flesh against the faces of a car front: sliding contact, pushing only, with friction.
 
-The front is cut into strips of constant height above the ground. A strip's face moves with the group it belongs to or,
-between two neighbouring groups, with a mean of both: the face stays one line without steps, and a force on it goes to
-both groups in the same shares, so no work is lost. The leg's face likewise goes over from one segment to the next within a
-short ramp, and fades out at the leg's ends: where it jumped, strips that the leg slides along would gain depth without
-work. Force per unit height p = k·d·(1 + (d/d₀)²) with depth d, as in `certkit.mechanics.laws.cushion`.
+The front is cut into strips of constant height above the ground. A strip's face moves with the group it
+belongs to or, between two neighbouring groups, with a mean of both: the face stays one line without steps,
+and a force on it goes to both groups in the same shares, so no work is lost. The leg's face likewise goes
+over from one segment to the next within a short ramp, and fades out at the leg's ends: where it jumped,
+strips that the leg slides along would gain depth without work. Force per unit height p = k·d·(1 + (d/d₀)²)
+with depth d, as in `certkit.mechanics.laws.cushion`.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ STICK = 0.1
 
 
 @compiled
-def _end(scene: Scene, row: int, top: bool) -> float:
+def _end(scene: Scene, row: int, top: bool) -> float:  # noqa: FBT001  # compiled code takes no keywords
     """Return the height of a segment's upper or lower end."""
     body = scene.outline_body[row]
     return float(scene.pose[body, Z] + scene.outline[row, 0 if top else 1] * scene.pose[body, COS])
@@ -55,7 +56,7 @@ def _row_at(scene: Scene, z: float, row: int) -> int:
 
 @compiled
 def _upright(cosine: float) -> tuple[float, float]:
-    """Return how much of the contact a leaning segment keeps, and how that grows with the cosine of its lean."""
+    """Return how much of the contact a leaning segment keeps, and how that grows with its lean's cosine."""
     kept = (cosine - STEEPEST) / FADE
     if kept >= 1.0:
         return 1.0, 0.0
@@ -64,7 +65,7 @@ def _upright(cosine: float) -> tuple[float, float]:
 
 @compiled
 def _pair(scene: Scene, row: int, z: float) -> tuple[int, int, float]:
-    """Return the upper and the lower of the two rows that share the face at height `z`, and the lower one's weight."""
+    """Return the two rows that share the face at height `z`, upper first, and the lower one's weight."""
     last = scene.outline_body.shape[0] - 1
     if row < last:
         above = z - _end(scene, row, False)
@@ -79,7 +80,7 @@ def _pair(scene: Scene, row: int, z: float) -> tuple[int, int, float]:
 
 @compiled
 def _part(scene: Scene, row: int, z: float) -> tuple[float, float]:
-    """Return how much of the contact the leg's ends leave at height `z`, and how that grows with the segment's height."""
+    """Return how much of the contact the leg's ends leave at `z`, and how that grows with their height."""
     last = scene.outline_body.shape[0] - 1
     if row == 0:
         left = 0.5 * (_end(scene, 0, True) - z) / RAMP
@@ -100,7 +101,9 @@ def _press(load: Floats, body: int, force: float, by_z: float, by_angle: float) 
 
 
 @compiled
-def slide(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
+def slide(  # noqa: PLR0915  # one contact, force by force
+    index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats
+) -> None:
     """Add the contact of leg and front; see `certkit.mechanics.laws.table`."""
     pose, rate = scene.pose, scene.rate
     row = 0

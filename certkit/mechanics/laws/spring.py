@@ -1,8 +1,9 @@
 """A spring between two groups of a vehicle, or a group and the ground, along x.
 
-Piecewise-linear loading curve; unloading and reloading on a branch of their own with residual force and permanent set; a
-pulling side with a memory of its own; a damper. The same law as `certkit.identification.law`, which says it in
-formulas; a test holds the two together. The points of all curves stand in one table that springs point into.
+Piecewise-linear loading curve; unloading and reloading on a branch of their own with residual force and
+permanent set; a pulling side with a memory of its own; a damper. The same law as
+`certkit.identification.law`, which says it in formulas; a test holds the two together. The points of all
+curves stand in one table that springs point into.
 """
 
 from __future__ import annotations

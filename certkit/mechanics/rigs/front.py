@@ -1,7 +1,7 @@
 """The vehicle test: the leg in free flight against a front of lumped groups.
 
-The leg starts where it just touches the front. Heights are the vehicle document's, above the ground, less the height of
-the knee centre; the ground is as far below the leg's lower end as the flight says.
+The leg starts where it just touches the front. Heights are the vehicle document's, above the ground, less
+the height of the knee centre; the ground is as far below the leg's lower end as the flight says.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from certkit.definitions.vehicle import Connection, Group, Vehicle
 
 STRIP = 0.008
-"""m: the front's faces are cut into strips of at most this height. Halving it changes no peak by more than 0.5 %."""
+"""m: faces are cut into strips of at most this height. Halving it changes no peak by more than 0.5 %."""
 
 JOINED = 0.01
 """m: faces of one kind whose ends are nearer than this are one line."""
@@ -33,7 +33,7 @@ STIFF_UNLOADING = 4.0
 
 @dataclass(frozen=True)
 class Strip:
-    """A strip of a face: the groups it moves with, in what shares, and where it is. Metres, seen from the knee centre."""
+    """A strip of a face: the groups it moves with, in what shares; its place from the knee centre, m."""
 
     lower: str
     upper: str
@@ -89,14 +89,14 @@ def fit_front(site: Site, vehicle: Vehicle, flight: FreeFlight) -> None:
 
 
 def face_strips(vehicle: Vehicle, ground: float) -> list[Strip]:
-    """Cut all faces into strips, from the top; neighbours of one kind share the height between their middles."""
+    """Cut all faces into strips, from the top; neighbours share the height between their middles."""
     faced = [(name, group) for name, group in vehicle.groups.items() if group.position is not None]
     faced.sort(key=lambda item: (item[1].kind, float(item[1].low or 0.0)))
     above: dict[str, str] = {}
     below: dict[str, str] = {}
-    for (low_name, low), (high_name, high) in pairwise(faced):
-        if low.kind == high.kind and abs(float(high.low or 0.0) - float(low.high or 0.0)) <= JOINED:
-            above[low_name], below[high_name] = high_name, low_name
+    for (first_name, lower), (second_name, upper) in pairwise(faced):
+        if lower.kind == upper.kind and abs(float(upper.low or 0.0) - float(lower.high or 0.0)) <= JOINED:
+            above[first_name], below[second_name] = second_name, first_name
     middles = {name: 0.5 * (float(g.low or 0.0) + float(g.high or 0.0)) for name, g in faced}
     strips = []
     for name, group in faced:
@@ -140,7 +140,8 @@ def _add_group(site: Site, name: str, group: Group, ground: float) -> int:
 def loading_curve(connection: Connection) -> tuple[list[tuple[float, float]], list[tuple[float, float]]]:
     """Return the points (x, F) of the pushing and of the pulling side, both from zero and both positive.
 
-    A gap is put in front, and the last slope, with bottoming, behind; a one-sided spring has no pulling points.
+    A gap is put in front, and the last slope, with bottoming, behind; a one-sided spring has no pulling
+    points.
     """
     gap = float(connection.gap or 0.0)
     points = sorted((float(x), float(f)) for x, f in connection.loading)

@@ -13,7 +13,7 @@ import pytest
 from certkit.definitions.library import load
 from certkit.errors import DataError
 from certkit.exchange.fe import parse_units, read_case_data
-from certkit.exchange.fe.radioss import RigidBody, impulse_of_differences, part_histories
+from certkit.exchange.fe.radioss import impulse_of_differences, part_histories
 from certkit.exchange.fe.radioss_csv import read_converted
 from certkit.exchange.fe.radioss_native import read_native
 
