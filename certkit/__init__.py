@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from certkit.bench import compare, grade, run
     from certkit.definitions.library import load
     from certkit.reporting import render
+    from certkit.studies.study import study
 
 _HOMES = {
     "compare": "certkit.bench",
@@ -21,9 +22,10 @@ _HOMES = {
     "load": "certkit.definitions.library",
     "render": "certkit.reporting",
     "run": "certkit.bench",
+    "study": "certkit.studies.study",
 }
 
-__all__ = ["__version__", "compare", "grade", "load", "render", "run"]
+__all__ = ["__version__", "compare", "grade", "load", "render", "run", "study"]
 
 
 def __getattr__(name: str) -> Any:  # noqa: ANN401  # a module's attributes are of any type

@@ -108,7 +108,8 @@ def test_a_calibration_writes_a_legform_that_can_be_run(tmp_path: Path) -> None:
     path = tmp_path / "fit.yaml"
     path.write_text(
         "fit: one-number\ntitle: One number\nlegform: flex-pli-gtr\n"
-        "parameters:\n  - path: legform.knee.condyles.friction\n    lower: 0.05\n    upper: 0.4\n    reason: a test\n"
+        "parameters:\n  - path: legform.knee.condyles.friction\n"
+        "    lower: 0.05\n    upper: 0.4\n    reason: a test\n"
         "targets: [{procedure: inverse, criteria: [MCL]}]\n"
         "search: {generations: 0, steps: 3}\n"
     )
