@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.grading.result import CriterionResult, Result
-    from certkit.reporting.certificate import Paper
 
 SAME = 1e-5
 """Relative difference of values that count as the same: the document keeps seven digits of its channels."""
@@ -149,12 +148,15 @@ def _pdf(path: Path, *, again: bool = True) -> Verification:
         raise DataError(
             f"{path}: no result.json is attached; only certificates that certkit wrote can be verified"
         )
-    checks += _pages_check(path, shown, attached.paper)
+    checks += _pages_check(path, shown, attached)
     return Verification(str(path), tuple(ids), tuple(checks))
 
 
-def _pages_check(path: Path, results: list[Result], paper: Paper) -> Iterator[Check]:
-    """Check that the pages are what the attached document renders to; a signature only adds to them."""
+def _pages_check(path: Path, results: list[Result], attached: Attached) -> Iterator[Check]:
+    """Check that the pages are what the attached document renders to; a signature only adds to them.
+
+    Not for bound suites, whose title no document holds, nor for the pages of another certkit or WeasyPrint.
+    """
     package = version("weasyprint")
     if len(results) != 1 or any(
         r.provenance.certkit != __version__ or r.provenance.packages.get("weasyprint") != package
@@ -164,7 +166,7 @@ def _pages_check(path: Path, results: list[Result], paper: Paper) -> Iterator[Ch
     from certkit.reporting.certificate import certificate  # noqa: PLC0415  # WeasyPrint takes a second
 
     content = read_bounded(path)
-    same = content.startswith(certificate(results, paper=paper))
+    same = content.startswith(certificate(results, paper=attached.paper, created=attached.created))
     yield Check(
         "pages", same, "" if same else "are not what the attached result.json renders to; one was changed"
     )
@@ -255,6 +257,12 @@ def _difference(before: CriterionResult, after: CriterionResult | None) -> str:
         scale = max(abs(before.value), abs((before.upper or 0.0) - (before.lower or 0.0)))
         if not math.isclose(before.value, after.value, rel_tol=SAME, abs_tol=SAME * scale):
             return f"it said {before.value:.6g} {before.unit}; graded again it is {after.value:.6g}"
-    if (before.lower, before.upper) != (after.lower, after.upper):
-        return "its corridor is another"
-    return ""
+    limits = ((before.lower, after.lower), (before.upper, after.upper))
+    return "" if all(_same_limit(*pair) for pair in limits) else "its corridor is another"
+
+
+def _same_limit(before: float | None, after: float | None) -> bool:
+    """Compare limits, of which the document keeps seven digits."""
+    if before is None or after is None:
+        return before is after
+    return math.isclose(before, after, rel_tol=1e-6)

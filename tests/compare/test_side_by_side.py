@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from certkit.bench.compare import compare
+from certkit.bench.comparing import compare
 from certkit.errors import DataError
 from certkit.exchange.csv_write import write_csv
 from certkit.grading.comparison_document import comparison_from_json, comparison_json

@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 
 from certkit import bench
 from certkit.bench.verify import verify
+from certkit.definitions.library import names
 from certkit.errors import CertkitError, DataError
-from certkit.grading import from_json, read_result, to_json
+from certkit.grading import from_json, read_result, to_json, write_result
 from certkit.grading.identity import with_id
 
 pikepdf = pytest.importorskip("pikepdf")
@@ -184,3 +185,11 @@ def test_a_guard_band_certificate_is_graded_by_its_own_rule(run: Path):
     result = from_json((run / "result.json").read_bytes())
     assert "guard band" in result.decision_rule
     assert verify(run / "result.json").holds
+
+
+def test_every_procedure_that_is_run_here_can_be_verified(tmp_path: Path):
+    for name in names("procedure"):
+        result = bench.run(name, refine=False)
+        path = tmp_path / name / "result.json"
+        write_result(result, path)
+        assert verify(path).holds, (name, broken(path))
