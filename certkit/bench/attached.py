@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any
 
 from certkit.errors import DataError, RunError
@@ -24,11 +25,12 @@ A4_WIDTH = 595.3
 
 @dataclass(frozen=True)
 class Attached:
-    """What is attached: bytes by name, and the hashes of the manifest by name; and the size of the pages."""
+    """What is attached: bytes by name, the hashes of the manifest by name, and how the pages were made."""
 
     files: Mapping[str, bytes]
     listed: Mapping[str, str]
     paper: Paper
+    created: datetime | None
 
 
 def attachments_of(path: Path) -> Attached:
@@ -41,7 +43,7 @@ def attachments_of(path: Path) -> Attached:
     RunError
         When the package that opens PDFs is not installed.
     """
-    paper, found = _opened(path)
+    paper, created, found = _opened(path)
     files = dict(found)
     if len(files) != len(found):
         raise DataError(f"{path}: two attachments of one name; only certificates as made can be verified")
@@ -61,10 +63,10 @@ def attachments_of(path: Path) -> Attached:
         raise DataError(
             f"{path}: {MANIFEST} is damaged; the certificate was changed since it was made"
         ) from error
-    return Attached(files, hashes, paper)
+    return Attached(files, hashes, paper, created)
 
 
-def _opened(path: Path) -> tuple[Paper, list[tuple[str, bytes]]]:
+def _opened(path: Path) -> tuple[Paper, datetime | None, list[tuple[str, bytes]]]:
     """Open the PDF with PDFium, which is made for files that nobody vouches for."""
     try:
         import pypdfium2  # noqa: PLC0415  # only where a PDF is verified
@@ -81,9 +83,18 @@ def _opened(path: Path) -> tuple[Paper, list[tuple[str, bytes]]]:
                 raise DataError(f"{path}: {count} attachments; this is no certificate of certkit")
             width = document[0].get_size()[0]
             attached = [document.get_attachment(index) for index in range(count)]
+            created = _date(document.get_metadata_dict().get("CreationDate", ""))
             found = [(each.get_name(), bytes(each.get_data())) for each in attached]
         finally:
             document.close()
     except pypdfium2.PdfiumError as error:
         raise DataError(f"{path}: not a whole PDF ({error}); take the file as it was handed over") from error
-    return ("A4" if abs(width - A4_WIDTH) < 1 else "Letter"), found
+    return ("A4" if abs(width - A4_WIDTH) < 1 else "Letter"), created, found
+
+
+def _date(words: str) -> datetime | None:
+    """Read `D:20260305000000Z`, as WeasyPrint writes it; None for anything else."""
+    try:
+        return datetime.strptime(words, "D:%Y%m%d%H%M%SZ").replace(tzinfo=UTC)
+    except ValueError:
+        return None

@@ -29,11 +29,21 @@ def report(
         str, typer.Option("--format", help="Separated by commas: html, pdf, junit, csv, md.")
     ] = "html,pdf",
     paper: Annotated[Paper, typer.Option("--paper", help="Page size of the PDF.")] = Paper.A4,
+    sign: Annotated[
+        Path | None,
+        typer.Option(
+            "--sign",
+            metavar="KEY.p12",
+            help="Sign the PDFs with this PKCS #12 key; its passphrase is taken from CERTKIT_PASSPHRASE.",
+        ),
+    ] = None,
     title: Annotated[str, typer.Option("--title", help="Title of a suite.")] = "Certification suite",
 ) -> None:
     """Render reports again from result.json: the same bytes as the run wrote."""
-    from certkit.grading.document import read_result  # noqa: PLC0415  # pydantic waits until it is needed
+    from certkit.files import write_whole  # noqa: PLC0415  # pydantic waits until it is needed
+    from certkit.grading.document import read_result  # noqa: PLC0415  # likewise
     from certkit.reporting import render, render_suite  # noqa: PLC0415  # likewise
+    from certkit.reporting.signing import sign as sign_pdf  # noqa: PLC0415  # likewise
 
     wanted = [name.strip() for name in formats.split(",") if name.strip()]
     documents = [read_result(path) for path in results]
@@ -44,5 +54,9 @@ def report(
     if len(documents) > 1:
         folder = results[0].parent.parent if out is None else out
         written += render_suite(documents, folder, wanted, title=title, paper=paper.value)
+    if sign is not None:
+        for path in written:
+            if path.suffix == ".pdf":
+                write_whole(path, sign_pdf(path.read_bytes(), sign))
     for path in written:
         typer.echo(f"wrote {path}", err=True)

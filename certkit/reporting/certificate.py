@@ -5,6 +5,7 @@ The embedded result document says everything; the pages show it.
 
 from __future__ import annotations
 
+import contextlib
 import os
 from dataclasses import dataclass
 from datetime import UTC, date, datetime, time
@@ -55,18 +56,21 @@ def creation_date(results: Sequence[Result]) -> datetime:
                 f"SOURCE_DATE_EPOCH is `{epoch}`; it takes a number of seconds since 1970"
             ) from error
     for result in results:
-        dates = (result.laboratory or {}).get("dates")
-        issued = dates.get("issued") if isinstance(dates, dict) else None
-        if issued:
-            try:
-                return datetime.combine(date.fromisoformat(str(issued)[:10]), time(), UTC)
-            except ValueError:
-                continue
+        for section in (result.laboratory or {}).values():
+            issued = section.get("issued") if isinstance(section, dict) else None
+            with contextlib.suppress(ValueError):
+                if issued:
+                    return datetime.combine(date.fromisoformat(str(issued)[:10]), time(), UTC)
     return FIXED_DATE
 
 
 def certificate(
-    results: Sequence[Result], *, paper: Paper = "A4", title: str | None = None, contents: bool = False
+    results: Sequence[Result],
+    *,
+    paper: Paper = "A4",
+    title: str | None = None,
+    contents: bool = False,
+    created: datetime | None = None,
 ) -> bytes:
     """Render one certificate, or several bound together.
 
@@ -80,6 +84,8 @@ def certificate(
         Title of a bound suite; of the first result otherwise.
     contents : bool
         Begin with a table of contents.
+    created : datetime, optional
+        Date that the PDF bears; see `creation_date` for where it comes from otherwise.
 
     Returns
     -------
@@ -98,7 +104,7 @@ def certificate(
         Chapter(shown, enclosures(shown.result, f"{shown.key}-" if several else "")) for shown in views
     ]
     listed = manifest([part for chapter in chapters for part in chapter.enclosures], [r.id for r in results])
-    created = creation_date(results)
+    created = created or creation_date(results)
     html = fill(
         "certificate.html.j2",
         title=title or results[0].title,

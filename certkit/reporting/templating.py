@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from certkit.errors import UsageError
 from certkit.reporting import words
 from certkit.reporting.charts.position import position_bar
+from certkit.reporting.front import front_view
 
 if TYPE_CHECKING:
     from jinja2.sandbox import SandboxedEnvironment
@@ -62,6 +63,7 @@ def _environment() -> SandboxedEnvironment:
         "signs": words.SIGNS,
         "confidence_words": words.CONFIDENCE,
         "bar": position_bar,
+        "front_view": front_view,
     }
     return environment
 

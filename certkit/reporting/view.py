@@ -121,7 +121,8 @@ def _unsure(criterion: CriterionResult, decimals: int) -> list[str]:
         )
         remarks += [f"± {words.plain(v, 2)} {name}" for name, v in parts if v]
         if unsure.false_accept is not None:
-            remarks.append(f"false accept {words.plain(unsure.false_accept * 100, 2)} %")
+            share = unsure.false_accept * 100
+            remarks.append(f"false accept {words.plain(share, 2) if share >= 0.01 else '< 0.01'} %")
     if criterion.spread:
         low, high = (words.fixed(v, decimals) for v in (criterion.spread.minimum, criterion.spread.maximum))
         remarks.append(f"{low} – {high} over {criterion.spread.members} legs")

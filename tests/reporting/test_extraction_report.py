@@ -120,9 +120,7 @@ def test_a_path_that_is_not_there_is_named(extraction: ExtractionResult) -> None
         extraction_drawing(extraction, "force", ["roof"])
 
 
-def test_the_pdf_carries_the_extraction_it_shows(
-    extraction: ExtractionResult, tmp_path: Path
-) -> None:
+def test_the_pdf_carries_the_extraction_it_shows(extraction: ExtractionResult, tmp_path: Path) -> None:
     written = render_extraction(extraction, tmp_path, ["html", "pdf"])
     assert {path.name for path in written} == {"extraction.html", "extraction.pdf"}
     with pikepdf.open(io.BytesIO((tmp_path / "extraction.pdf").read_bytes())) as pdf:

@@ -1,0 +1,73 @@
+from __future__ import annotations
+
+import datetime as dt
+import io
+from typing import TYPE_CHECKING
+
+import pytest
+import synthetic_result
+
+from certkit.errors import InputError
+from certkit.reporting.certificate import certificate
+from certkit.reporting.signing import sign
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+pytest.importorskip("pyhanko", reason="the extra `signature` is not installed")
+
+
+@pytest.fixture(scope="module")
+def key(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Make a key with a certificate that it signed itself."""
+    from cryptography import x509  # noqa: PLC0415  # comes with pyHanko
+    from cryptography.hazmat.primitives import hashes, serialization  # noqa: PLC0415  # likewise
+    from cryptography.hazmat.primitives.asymmetric import rsa  # noqa: PLC0415  # likewise
+    from cryptography.hazmat.primitives.serialization import pkcs12  # noqa: PLC0415  # likewise
+
+    private = rsa.generate_private_key(65537, 2048)
+    name = x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, "Laboratory of Examples")])
+    day = dt.datetime(2026, 1, 1, tzinfo=dt.UTC)
+    made = (
+        x509.CertificateBuilder()
+        .subject_name(name)
+        .issuer_name(name)
+        .public_key(private.public_key())
+        .serial_number(1)
+        .not_valid_before(day)
+        .not_valid_after(day + dt.timedelta(days=36500))
+        .sign(private, hashes.SHA256())
+    )
+    secret = serialization.BestAvailableEncryption(b"open sesame")
+    path = tmp_path_factory.mktemp("key") / "laboratory.p12"
+    path.write_bytes(pkcs12.serialize_key_and_certificates(b"key", private, made, None, secret))
+    return path
+
+
+def test_a_signature_is_valid_and_leaves_what_it_signs_as_it_was(
+    key: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from pyhanko.pdf_utils.reader import PdfFileReader  # noqa: PLC0415  # an extra
+    from pyhanko.sign.validation import validate_pdf_signature  # noqa: PLC0415  # likewise
+    from pyhanko_certvalidator import ValidationContext  # noqa: PLC0415  # likewise
+
+    monkeypatch.setenv("CERTKIT_PASSPHRASE", "open sesame")
+    pdf = certificate([synthetic_result.static_result()])
+    signed = sign(pdf, key)
+    assert signed.startswith(pdf)
+    (embedded,) = PdfFileReader(io.BytesIO(signed)).embedded_signatures
+    trusted = ValidationContext(trust_roots=[embedded.signer_cert])
+    status = validate_pdf_signature(embedded, trusted)
+    assert status.intact
+    assert status.valid
+
+
+def test_a_wrong_passphrase_is_said(key: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CERTKIT_PASSPHRASE", "guess")
+    with pytest.raises(InputError, match="put its passphrase into CERTKIT_PASSPHRASE"):
+        sign(b"", key)
+
+
+def test_a_missing_key_is_named(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"none\.p12: there is no such key file"):
+        sign(b"", tmp_path / "none.p12")
