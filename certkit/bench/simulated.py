@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.bench.energies import energies
+from certkit.bench.front import front
 from certkit.bench.picture import picture
 from certkit.bench.setup import Setup, prepare
 from certkit.grading import (
@@ -82,6 +83,7 @@ def run_setup(setup: Setup, *, refine: bool = True) -> Result:
         quality=quality,
         motion=picture(simulation.motion),
         energies=energies(simulation),
+        front=front(simulation),
         parameters=setup.parameters,
         specimen={"legform": setup.legform.title},
         numerical=refinement.uncertainties if refinement else None,

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from certkit.definitions.reference import Reference
     from certkit.grading.result import (
         CriterionResult,
+        Front,
         Histories,
         Kind,
         Motion,
@@ -66,6 +67,7 @@ def evaluate(  # noqa: PLR0913  # everything that a result carries comes in here
     quality: Quality | None = None,
     motion: Motion | None = None,
     energies: Histories | None = None,
+    front: Front | None = None,
     parameters: Sequence[Parameter] = (),
     specimen: Mapping[str, str] | None = None,
     laboratory: Mapping[str, Any] | None = None,
@@ -94,6 +96,8 @@ def evaluate(  # noqa: PLR0913  # everything that a result carries comes in here
         The moving picture.
     energies : Histories, optional
         Energy over time.
+    front : Front, optional
+        What the vehicle's front did.
     parameters : sequence of Parameter
         Numbers that went in, with their origins.
     specimen : mapping of str to str, optional
@@ -160,6 +164,7 @@ def evaluate(  # noqa: PLR0913  # everything that a result carries comes in here
         if isinstance(taken.interval, NoInterval)
         else (taken.interval.start, taken.interval.end),
         energies=energies,
+        front=front,
         curves=drawn_curves(taken.filtered, _filters(procedure.criteria), taken.window.end),
         channels=raw_channels(raw),
         motion=motion,

@@ -248,6 +248,18 @@ class Parameter(Part):
     confidence: Confidence
 
 
+class Front(Part):
+    """What the front of a vehicle did: time axes as in `Histories`, displacements and shortenings in mm."""
+
+    contact: Annotated[Histories, Field(description="Force of the leg on each face, N.")]
+    displacement: Annotated[Histories, Field(description="Of each group along the car, mm.")]
+    springs: Annotated[
+        dict[str, CurveInPlane], Field(description="Force over shortening of each connection.")
+    ]
+    received: Annotated[dict[str, Figure], Field(description="Energy that each face took from the leg, J.")]
+    absorbed: Annotated[dict[str, Figure], Field(description="Energy that each connection kept, J.")]
+
+
 class Result(Part):
     """The result document."""
 
@@ -276,6 +288,7 @@ class Result(Part):
     )
     channels: Annotated[Histories | None, Field(description="Channels as recorded, unfiltered.")] = None
     motion: Motion | None = None
+    front: Annotated[Front | None, Field(description="What the vehicle's front did.")] = None
     parameters: list[Parameter] = []
     laboratory: Annotated[dict[str, Any] | None, Field(description="Header data of a laboratory.")] = None
     notes: list[str] = []
