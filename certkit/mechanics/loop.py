@@ -91,6 +91,24 @@ class Trajectory:
     seconds: float
 
 
+MOST_STEPS, MOST_SAMPLES = 10_000_000, 1_000_000
+"""A run beyond them is a slip of the pen, and would fill the memory or the day."""
+
+
+def _check(plan: Plan) -> None:
+    wanted = f"a run of {plan.until:g} s in steps of {plan.step:g} s"
+    if not (plan.step > 0 and plan.until > 0):
+        raise RunError(f"{wanted} goes nowhere; both must be positive")
+    if plan.until < 2 * plan.sample * plan.step:
+        raise RunError(f"{wanted} is too short for two samples; give `until` more, or the step less")
+    steps = max(plan.until, plan.longest) / plan.step
+    if steps > MOST_STEPS or steps / plan.sample > MOST_SAMPLES:
+        raise RunError(
+            f"{wanted} is too long: {steps:.3g} steps; "
+            f"at most {MOST_STEPS:,} are simulated and {MOST_SAMPLES:,} kept"
+        )
+
+
 def run_world(
     world: World, plan: Plan, probes: Sequence[int] = (), tracked: Sequence[int] = ()
 ) -> Trajectory:
@@ -108,9 +126,10 @@ def run_world(
     Raises
     ------
     RunError
-        When a body runs away or never touches what it should.
+        When a body runs away or never touches what it should, or the plan is no plan.
     """
     bodies, laws = len(world.names), len(BOOKS)
+    _check(plan)
     most = round((plan.longest if plan.trigger >= 0 else plan.until) / plan.step)
     after = round(plan.until / plan.step)
     samples, shots = most // plan.sample + 1, most // plan.frame + 1

@@ -130,7 +130,13 @@ def simulate(
     """
     step = time_step or float(procedure.run.time_step or STEP)
     iterations = iterations or ITERATIONS
-    site = build(procedure, legform, vehicle)
+    try:
+        site = build(procedure, legform, vehicle)
+    except (ArithmeticError, np.linalg.LinAlgError) as error:
+        raise RunError(
+            "the rig cannot be built: a length, stiffness or other value is zero where it cannot be; "
+            "look at the values changed last"
+        ) from error
     world = site.assembly.finish()
     wanted = {**probes(world, site.leg, site), **front_probes(world, site)}
     plan = _plan(procedure, site, step, iterations, sample)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.errors import RunError
 from certkit.mechanics.laws import LAWS
 
 if TYPE_CHECKING:
@@ -105,9 +106,20 @@ class Assembly:
         guided: bool = False,
         drag: float = 0.0,
     ) -> int:
-        """Add a body and return its number. Inertia 0 makes a point mass."""
+        """Add a body and return its number. Inertia 0 makes a point mass.
+
+        Raises
+        ------
+        RunError
+            When it has no mass, or its inertia is negative: Munk2D would end the process.
+        """
         if name in self._names:
             raise ValueError(f"there is a body `{name}` already")
+        if not (0 < mass < math.inf and 0 <= inertia < math.inf):
+            raise RunError(
+                f"the {name} cannot move with a mass of {mass:g} kg and an inertia of {inertia:g} kg·m²; "
+                "check its mass and lengths"
+            )
         self._names.append(name)
         self._bodies.append((mass, inertia, float(guided), drag))
         self._pose.append(pose)

@@ -187,6 +187,35 @@ def test_a_part_without_a_knee_can_be_hit_too(legform: Legform):
     assert run.quality.energy_error_percent < 0.5
 
 
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ("run.until=1e6 ms", "too long"),
+        ("run.until=1e-6 ms", "too short"),
+        ("run.time step=1e-6 µs", "too long"),
+        ("rig.stopper.below knee centre=2 m", "nothing was touched"),
+    ],
+)
+def test_a_procedure_that_makes_no_sense_is_an_error_of_the_run(legform: Legform, change: str, message: str):
+    with pytest.raises(RunError, match=message):
+        simulate(load("procedure", "pendulum", overrides=[change]).document, legform)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ("femur.bending stiffness=1e9 N·m²", "ran away"),
+        ("knee.condyles.stiffness=0 N/m", "cannot be built"),
+        ("femur.length=1 mm", "no distribution of the femur's mass"),
+        ("knee.mass=1e9 kg", "no two blocks"),
+    ],
+)
+def test_a_leg_that_cannot_be_is_an_error_of_the_run(change: str, message: str):
+    legform = load("legform", "flex-pli-gtr", overrides=[change]).document
+    with pytest.raises(RunError, match=message):
+        simulate(load("procedure", "pendulum").document, legform)
+
+
 def test_the_picture_shows_every_segment_at_every_frame(runs: dict[str, Simulation]):
     for name in DYNAMIC:
         film = runs[name].motion

@@ -41,6 +41,8 @@ def pull(index: Integers, number: Floats, state: Floats, scene: Scene, load: Flo
         power += (tension - elastic) * lengthening
         if number[i, 5] > 0.0:
             stored += 0.5 * elastic * elastic / number[i, 5]
+        else:
+            stored += elastic * elongation
         load[a, 0] -= tension * ux
         load[a, 1] -= tension * uz
         load[a, 2] -= tension * (ax * uz - az * ux)
