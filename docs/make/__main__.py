@@ -30,4 +30,15 @@ def pictures() -> None:
         typer.echo(f"wrote {path} ({path.stat().st_size / 1000:.0f} kB)")
 
 
+@app.command("validation")
+def validation() -> None:
+    """Run what docs/validation.md rests on, and write it; takes some minutes."""
+    from certkit.files import write_whole  # noqa: PLC0415  # as above
+    from docs.make.reference import DOCS  # noqa: PLC0415  # as above
+    from docs.make.validation import validation as make  # noqa: PLC0415  # as above
+
+    write_whole(DOCS / "validation.md", make(typer.echo))
+    typer.echo(f"wrote {DOCS / 'validation.md'}")
+
+
 app()

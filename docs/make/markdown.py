@@ -35,7 +35,7 @@ def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     kept = [index for index in range(len(heads)) if any(row[index] for row in given)]
     lines = [[heads[index] for index in kept], ["---"] * len(kept)]
     lines += [[row[index] for index in kept] for row in given]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines) + "\n"
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
 def anchor(*words: str) -> str:
@@ -46,3 +46,14 @@ def anchor(*words: str) -> str:
 def page(*parts: str) -> str:
     """Return parts, each set off by an empty line."""
     return "\n\n".join(part.strip("\n") for part in parts if part.strip()) + "\n"
+
+
+def figure(value: float) -> str:
+    """Return a number with four digits that count."""
+    return f"{value:.0f}" if abs(value) >= 1000 else f"{value:.4g}"
+
+
+def signed(value: float) -> str:
+    """Return a number of per cent with its sign: `+1.2`, `−0.4`, `0.0`."""
+    rounded = f"{abs(value):.1f}"
+    return rounded if rounded == "0.0" else ("−" if value < 0 else "+") + rounded

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import shlex
 import subprocess
 import sys
@@ -10,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.definitions.shipped import shipped_root
+from docs.make.examples import Given, examples
 from docs.make.reference import DOCS
 from docs.make.scenes import FIGURES, RUNS, TERMINAL
 from docs.make.screens import Screen, leaf, photograph, terminal
@@ -17,22 +19,26 @@ from docs.make.screens import Screen, leaf, photograph, terminal
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+TWO_COLUMNS = "figure.chart { display: inline-block; width: 49%; margin: 0 }"
 SCREENS = {
     "report-light": Screen("suite/pendulum/report.html"),
     "report-dark": Screen("suite/inverse/report.html", dark=True, at=12.0, scroll="[data-player]"),
     "report-phone": Screen("suite/pendulum/report.html", width=390, height=844),
     "suite": Screen("suite/index.html", height=700),
-    "extraction": Screen("bumper/extraction.html"),
+    "study": Screen("study/study.html", scroll="section:has(svg)"),
+    "fe-moments": Screen("fe-compared/comparison.html", part="section:has(figure)", style=TWO_COLUMNS),
 }
 PAGES = {"certificate-1": 1, "certificate-2": 2}
-FAILED = 2  # from this exit code on, or rather at 2 and 3, there is nothing to draw
+GIVING = ("how-to/vehicle.md", "how-to/study.md")
+"""Pages whose files the runs need."""
 
 
 def write_pictures(folder: Path = DOCS / "pictures", *, tell: Callable[[str], None] = print) -> list[Path]:
     """Run everything and draw all pictures into a folder."""
-    folder.mkdir(exist_ok=True)
+    folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary:
         runs = Path(temporary)
+        _lay_out(runs)
         for command in RUNS:
             tell(command)
             _certkit(command, runs)
@@ -44,6 +50,16 @@ def write_pictures(folder: Path = DOCS / "pictures", *, tell: Callable[[str], No
         certificate = runs / "suite" / "pendulum" / "report.pdf"
         written += [leaf(certificate, number, folder / f"{name}.png") for name, number in PAGES.items()]
     return written
+
+
+def _lay_out(runs: Path) -> None:
+    """Put the files that the pages give where the runs find them."""
+    for page in GIVING:
+        for given in examples(DOCS / page):
+            if isinstance(given, Given):
+                (runs / given.name).write_text(given.text)
+    packed = shipped_root() / "examples" / "extract" / "front" / "leg_channels.csv.gz"
+    (runs / "run.csv").write_bytes(gzip.decompress(packed.read_bytes()))
 
 
 def _figure(name: str, command: str, runs: Path, folder: Path) -> Path:

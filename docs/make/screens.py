@@ -41,6 +41,10 @@ class Screen:
         Where the moving picture is put, ms after contact; nothing is moved when negative.
     scroll : str
         Selector of what is brought to the top; the page's top when empty.
+    part : str
+        Selector of what alone is shown; the window when empty.
+    style : str
+        CSS for the picture alone.
     """
 
     page: str
@@ -49,6 +53,8 @@ class Screen:
     dark: bool = False
     at: float = -1.0
     scroll: str = ""
+    part: str = ""
+    style: str = ""
 
 
 def photograph(screens: dict[str, Screen], runs: Path, folder: Path) -> list[Path]:
@@ -69,6 +75,7 @@ def photograph(screens: dict[str, Screen], runs: Path, folder: Path) -> list[Pat
                 viewport={"width": screen.width, "height": screen.height},
                 color_scheme="dark" if screen.dark else "light",
                 device_scale_factor=1.5 if screen.width > 600 else 2,
+                bypass_csp=bool(screen.style),  # the page itself lets no style in
             )
             page = context.new_page()
             said: list[str] = []
@@ -82,7 +89,9 @@ def photograph(screens: dict[str, Screen], runs: Path, folder: Path) -> list[Pat
                 page.locator(screen.scroll).first.evaluate(
                     "e => e.scrollIntoView({behavior: 'instant', block: 'start'})"
                 )
-            picture = page.screenshot()
+            if screen.style:
+                page.add_style_tag(content=screen.style)
+            picture = page.locator(screen.part).first.screenshot() if screen.part else page.screenshot()
             context.close()
             if said:
                 raise RuntimeError(f"{screen.page}: {said[0]}")
