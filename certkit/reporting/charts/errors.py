@@ -65,6 +65,6 @@ def errors_chart(comparison: Comparison, *, width: float = 740, height: float = 
 
 
 def _strip_ticks(axes: str) -> str:
-    start = axes.index('<g class="xticks">')
+    start = axes.index('<g class="xticks')
     end = axes.index("</g>", start) + len("</g>")
     return axes[:start] + axes[end:]
