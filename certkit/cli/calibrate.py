@@ -39,6 +39,7 @@ def calibrate(
     fit that was interrupted goes on where it was and ends at the same numbers. Put the folder first with
     `--library` to run a procedure with the new leg.
     """
+    from certkit.cli.counting import resumable  # noqa: PLC0415  # waits until a fit is run
     from certkit.studies.calibration.carry import carry_and_write  # noqa: PLC0415  # waits until a fit is run
     from certkit.studies.calibration.fit import make_ready  # noqa: PLC0415  # likewise
 
@@ -55,9 +56,10 @@ def calibrate(
             sys.stderr.write(f"{start}{words}{end}")
             sys.stderr.flush()
 
-    written, text, summary = carry_and_write(
-        task, folder, family=family, processes=processes, cluster=cluster, tell=tell
-    )
+    with resumable():
+        written, text, summary = carry_and_write(
+            task, folder, family=family, processes=processes, cluster=cluster, tell=tell
+        )
     if watched and sys.stderr.isatty():
         sys.stderr.write("\r\033[K")
     typer.echo(text if as_json else summary, nl=not as_json)

@@ -6,8 +6,22 @@ import contextlib
 import sys
 from typing import TYPE_CHECKING
 
+import typer
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
+
+
+@contextlib.contextmanager
+def resumable() -> Iterator[None]:
+    """Tell whoever presses Ctrl-C that the finished runs are kept."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        typer.echo(
+            "interrupted; the runs that are done are kept, the same command goes on from there", err=True
+        )
+        raise typer.Exit(130) from None
 
 
 @contextlib.contextmanager

@@ -40,7 +40,7 @@ def study(
     Writes the table of all runs, the findings as JSON and an HTML page. A study that was interrupted goes
     on where it was. The exit code is 3 when not a single run succeeded.
     """
-    from certkit.cli.counting import counting  # noqa: PLC0415  # waits until a study is run
+    from certkit.cli.counting import counting, resumable  # noqa: PLC0415  # waits until a study is run
     from certkit.definitions.library import load  # noqa: PLC0415  # likewise
     from certkit.definitions.study import Study  # noqa: PLC0415  # likewise
     from certkit.studies.carry import carry_and_write, optimise_and_write  # noqa: PLC0415  # likewise
@@ -54,7 +54,7 @@ def study(
         (folder / "runs.jsonl").unlink(missing_ok=True)
     formats = [word.strip() for word in table.split(",") if word.strip()]
     carry = optimise_and_write if sheet.optimise else carry_and_write
-    with counting(sheet.study, quiet=quiet or as_json) as progress:
+    with resumable(), counting(sheet.study, quiet=quiet or as_json) as progress:
         found, text = carry(
             sheet, folder, formats, library=shelves, processes=processes, cluster=cluster, progress=progress
         )

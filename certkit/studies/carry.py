@@ -11,7 +11,7 @@ from certkit.studies.optimise import limits_of, optimise
 from certkit.studies.pages import optimum_page, study_page
 from certkit.studies.runs import Runs
 from certkit.studies.study import set_up, study
-from certkit.studies.table import write_table
+from certkit.studies.table import check_formats, write_table
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
@@ -36,6 +36,7 @@ def optimise_and_write(
     progress: Progress | None = None,
 ) -> tuple[Optimum, str]:
     """Carry an optimisation out and write its table, what it found and its page; see `carry_and_write`."""
+    check_formats(formats)
     trial, factors = set_up(sheet, library)
     held = limits_of(trial)
     with Runs(
@@ -73,6 +74,7 @@ def carry_and_write(
     str
         The findings as JSON text.
     """
+    check_formats(formats)
     findings = study(
         sheet,
         library=library,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from importlib.util import find_spec
 from typing import TYPE_CHECKING
 
 from certkit.errors import UsageError
@@ -46,6 +47,21 @@ def table_of(points: Sequence[Point], outcomes: Sequence[Outcome]) -> pd.DataFra
     return table
 
 
+def check_formats(formats: Collection[str]) -> None:
+    """Refuse formats that cannot be written, before anything is run.
+
+    Raises
+    ------
+    UsageError
+        For a format that is not known, or Parquet without its package.
+    """
+    unknown = sorted(set(formats) - set(FORMATS))
+    if unknown:
+        raise UsageError(f"`{unknown[0]}` is no format of a table; there are {', '.join(FORMATS)}")
+    if "parquet" in formats and find_spec("pyarrow") is None:
+        raise UsageError("Parquet needs pyarrow: pip install 'certkit[parquet]'")
+
+
 def write_table(
     table: pd.DataFrame, folder: Path, name: str, units: Mapping[str, str], formats: Collection[str]
 ) -> list[Path]:
@@ -59,9 +75,7 @@ def write_table(
     UsageError
         For a format that is not known, or Parquet without its package.
     """
-    unknown = sorted(set(formats) - set(FORMATS))
-    if unknown:
-        raise UsageError(f"`{unknown[0]}` is no format of a table; there are {', '.join(FORMATS)}")
+    check_formats(formats)
     written = []
     if "csv" in formats:
         heads = {
@@ -87,8 +101,5 @@ def _write_parquet(table: pd.DataFrame, path: Path) -> None:
     import io  # noqa: PLC0415  # beside its only use
 
     buffer = io.BytesIO()
-    try:
-        table.to_parquet(buffer, index=False)
-    except ImportError:
-        raise UsageError("Parquet needs pyarrow: pip install 'certkit[parquet]'") from None
+    table.to_parquet(buffer, index=False)
     write_whole(path, buffer.getvalue())

@@ -104,6 +104,26 @@ def test_a_study_that_makes_no_sense_is_refused_before_anything_is_run(
     assert not (tmp_path / "out").exists()
 
 
+def test_a_table_format_that_cannot_be_written_is_refused_before_anything_is_run(
+    sheet: Path, tmp_path: Path
+) -> None:
+    with pytest.raises(UsageError, match="no format of a table"):
+        called("study", sheet, "--out", tmp_path / "out", "--table", "xlsx")
+    assert not (tmp_path / "out").exists()
+
+
+def test_ctrl_c_says_that_the_same_command_goes_on(
+    sheet: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("certkit.studies.carry.study", interrupted)
+    result = CliRunner().invoke(app, ["study", str(sheet), "--out", str(tmp_path / "out")])
+    assert result.exit_code == 130
+    assert "the same command goes on" in result.stderr
+
+
 def test_a_calibration_writes_a_legform_that_can_be_run(tmp_path: Path) -> None:
     path = tmp_path / "fit.yaml"
     path.write_text(
