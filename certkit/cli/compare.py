@@ -50,7 +50,7 @@ def compare(
 
     Errors are (B − A) / A. When only one of the two was measured, it is the reference, wherever it stands.
     """
-    from certkit.bench.compare import compare as put_beside  # noqa: PLC0415  # numpy waits until it is needed
+    from certkit.bench.comparing import compare as put_beside  # noqa: PLC0415  # numpy waits until it is needed
     from certkit.definitions.mapping import Mapping  # noqa: PLC0415  # likewise
     from certkit.definitions.validation import read_document  # noqa: PLC0415  # likewise
     from certkit.errors import UsageError  # noqa: PLC0415  # likewise

@@ -24,7 +24,7 @@ def export(source: Source, target: Target, *, mapping: MappingFile = None) -> No
 
     `certkit export runs/pendulum pendulum.zip` writes an archive that `certkit grade` and other tools read.
     """
-    from certkit.bench.export import export as write  # noqa: PLC0415  # numpy waits until it is needed
+    from certkit.bench.exporting import export as write  # noqa: PLC0415  # numpy waits until it is needed
     from certkit.definitions.mapping import Mapping  # noqa: PLC0415  # likewise
     from certkit.definitions.validation import read_document  # noqa: PLC0415  # likewise
 
