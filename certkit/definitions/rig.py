@@ -73,6 +73,10 @@ class Ram(Section):
     top_edge: Annotated[Length, Field(description="Height of its upper edge above the knee centre.")]
     width_on_knee: Annotated[Length, Field(description="Contact width where it meets the knee.")]
     width_on_bones: Annotated[Length, Field(description="Contact width where it meets a bone.")]
+    elastic_depth: Annotated[
+        Length | None,
+        Field(description="Depth at which the honeycomb reaches its crush strength; 1 mm when missing."),
+    ] = None
 
 
 class Supports(Section):

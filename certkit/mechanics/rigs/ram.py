@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from certkit.definitions.rig import Ram
 
 ELASTIC = 0.001
-"""m: depth at which honeycomb reaches its crush strength. Doubling it changes no peak by more than 0.5 %."""
+"""m: depth at which honeycomb reaches its crush strength, where the procedure names none."""
 
 
 def fit_ram(site: Site, ram: Ram) -> None:
@@ -24,7 +24,7 @@ def fit_ram(site: Site, ram: Ram) -> None:
         "ram", float(ram.mass), 0.0, (face, 0.0, 0.0), speed=(-float(ram.speed), 0.0, 0.0), guided=True
     )
     narrow = float(min(ram.width_on_knee, ram.width_on_bones))
-    elastic = ELASTIC
+    elastic = ELASTIC if ram.elastic_depth is None else float(ram.elastic_depth)
     if site.cover > 0:
         elastic += _squeeze(site.legform.flesh, float(ram.crush_strength) * narrow)
     for z, part in strips(top, height):
