@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from certkit.definitions.document import Document, Section
 
@@ -31,3 +31,11 @@ class Family(Section):
     legform: Annotated[str, Field(description="Name of the base legform.")]
     procedures: Annotated[list[str], Field(description="What every member was shown to pass.")] = []
     members: Annotated[list[Member], Field(min_length=2, max_length=10_000)]
+
+    @model_validator(mode="after")
+    def _distinct(self) -> Family:
+        ids = [member.id for member in self.members]
+        twice = sorted({name for name in ids if ids.count(name) > 1})
+        if twice:
+            raise ValueError(f"two members are called `{twice[0]}`; give each its own id")
+        return self

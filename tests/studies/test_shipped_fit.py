@@ -66,6 +66,12 @@ def test_the_family_has_at_least_twenty_legs_that_all_differ() -> None:
     assert len({tuple(member.values.values()) for member in FAMILY.members}) == len(FAMILY.members)
 
 
+def test_two_members_cannot_have_one_name() -> None:
+    twice = {**FAMILY.model_dump(by_alias=True), "members": [FAMILY.members[0].model_dump()] * 2}
+    with pytest.raises(ValueError, match="two members are called"):
+        type(FAMILY).model_validate(twice)
+
+
 @pytest.mark.parametrize("member", FAMILY.members, ids=lambda member: member.id)
 def test_every_leg_of_the_family_passes_every_graded_channel(member: object) -> None:
     own = tuple(f"legform.{path}={value}" for path, value in member.values.items())
