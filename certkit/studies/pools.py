@@ -15,7 +15,7 @@ from itertools import islice
 from multiprocessing import get_context
 from typing import TYPE_CHECKING, Any, Protocol
 
-from certkit.errors import UsageError
+from certkit.errors import RunError, UsageError
 from certkit.studies import worker
 from certkit.studies.points import Evaluate, Outcome, attempt
 
@@ -29,6 +29,10 @@ CHUNK_SECONDS = 0.05
 
 MAX_CHUNK = 64
 IN_FLIGHT = 2  # chunks a worker: one at work, one waiting
+NO_START = (
+    "worker processes cannot be started here; in a script, put the call under `if __name__ == '__main__':`, "
+    "or use one process"
+)
 DIED = "the process that ran it died; out of memory?"
 
 
@@ -120,6 +124,10 @@ class Processes:
     def _one_by_one(self, suspects: list[Task]) -> Iterator[Done]:
         for task in sorted(suspects, key=lambda task: task[0]):
             with self._start(1) as pool:
+                try:
+                    pool.submit(worker.work, []).result()
+                except BrokenProcessPool:
+                    raise RunError(NO_START) from None
                 try:
                     done, _ = pool.submit(worker.work, [task]).result()
                 except BrokenProcessPool:

@@ -140,6 +140,19 @@ def test_killed_and_resumed_no_run_is_missing_and_none_is_done_twice(tmp_path: P
     assert 60 <= begun <= 60 + 4
 
 
+def test_a_script_that_workers_cannot_import_is_told_so_once(tmp_path: Path) -> None:
+    program = tmp_path / "unguarded.py"
+    program.write_text(
+        "import sys; sys.path.insert(0, sys.argv[1]); import toys\n"
+        "from certkit.studies.runs import Runs\n"
+        "Runs(toys.wave, processes=2)([{'a': float(i), 'b': 0.0} for i in range(50)])\n"
+    )
+    command = [sys.executable, str(program), os.path.dirname(toys.__file__)]  # noqa: PTH120  # argv
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+    assert done.returncode == 1
+    assert "put the call under" in done.stderr
+
+
 def test_a_dask_cluster_gives_the_same_table_and_outlives_a_worker() -> None:
     distributed = pytest.importorskip("distributed")
     with Runs(toys.slow_wave, processes=1) as here:
