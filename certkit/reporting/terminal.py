@@ -5,16 +5,14 @@ from __future__ import annotations
 import math
 import os
 import sys
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING, TextIO, TypeAlias
 
 from certkit.reporting import words
+from certkit.reporting.plaintext import aligned
 from certkit.reporting.worst import margin_words, tally, worst
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
-
-    from rich.console import Console
-    from rich.table import Table
 
     from certkit.grading.result import CriterionResult, Result
 
@@ -25,6 +23,12 @@ STYLES = {
     "not evaluated": "dim",
     "error": "bold magenta",
 }
+Line: TypeAlias = list[tuple[str, str]]
+"""Pieces of text, each with its style."""
+
+RIGHT = (1, 5)
+"""Columns that are aligned to the right: value and margin."""
+
 WIDTH = 17
 """Signs in the bar: the corridor takes the middle half."""
 
@@ -63,37 +67,61 @@ def bar(criterion: CriterionResult) -> str:
     return "".join(signs)
 
 
-def table(result: Result) -> Table:
-    """Return the criteria of one result as a table."""
-    from rich.markup import escape  # noqa: PLC0415  # rich costs 60 ms that `--json` need not pay
-    from rich.table import Table  # noqa: PLC0415  # likewise
+def heads(result: Result) -> list[str]:
+    """Return the heads of the table's columns."""
+    spread = ["over the family"] if _spreads(result) else []
+    return ["", "value", "", "corridor", "", "margin", *spread, "verdict"]
 
-    made = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-    for head, right in (("", False), ("value", True), ("", False), ("corridor", False), ("", False)):
-        made.add_column(head, justify="right" if right else "left", no_wrap=True)
-    made.add_column("margin", justify="right", no_wrap=True)
-    spreads = any(criterion.spread for criterion in result.criteria)
-    if spreads:
-        made.add_column("over the family", no_wrap=True)
-    made.add_column("verdict")
-    for criterion in result.criteria:
-        decimals = words.criterion_decimals(criterion)
-        style = STYLES[criterion.verdict] if criterion.graded else "dim"
-        verdict = (
-            f"{words.SIGNS[criterion.verdict]} {criterion.verdict}" if criterion.graded else "  shown only"
-        )
-        reason = f" ({criterion.reason})" if criterion.reason and criterion.graded else ""
-        made.add_row(
-            f"[bold]{escape(criterion.id)}[/]",
-            words.fixed(criterion.value, decimals),
-            escape(criterion.unit),
-            words.corridor(criterion.lower, criterion.upper),
-            f"[{style}]{bar(criterion)}[/]",
-            words.fixed(criterion.margin, decimals),
-            *([_spread(criterion, decimals)] if spreads else []),
-            f"[{style}]{verdict}[/]{escape(reason)}",
-        )
-    return made
+
+def row(criterion: CriterionResult, *, spreads: bool) -> list[Line]:
+    """Return a criterion's cells."""
+    decimals = words.criterion_decimals(criterion)
+    style = STYLES[criterion.verdict] if criterion.graded else "dim"
+    verdict = f"{words.SIGNS[criterion.verdict]} {criterion.verdict}" if criterion.graded else "  shown only"
+    reason = f" ({criterion.reason})" if criterion.reason and criterion.graded else ""
+    return [
+        [(criterion.id, "bold")],
+        [(words.fixed(criterion.value, decimals), "")],
+        [(criterion.unit, "")],
+        [(words.corridor(criterion.lower, criterion.upper), "")],
+        [(bar(criterion), style)],
+        [(words.fixed(criterion.margin, decimals), "")],
+        *([[(_spread(criterion, decimals), "")]] if spreads else []),
+        [(verdict, style), (reason, "")],
+    ]
+
+
+def above(result: Result) -> Line:
+    """Return the line above the table: what was tested, the verdict, the certificate's id."""
+    verdict = f"{words.SIGNS[result.verdict]} {result.verdict.upper()}"
+    return [(result.title, "bold"), ("  ", ""), (verdict, STYLES[result.verdict]), (f"  {result.id}", "dim")]
+
+
+def below(result: Result) -> list[Line]:
+    """Return the lines below the table: how many passed, the error against the reference, the remarks."""
+    lines: list[Line] = [[(tally(result), "")]]
+    if result.comparison:
+        error = words.fixed(result.comparison.rms_error_percent, 1)
+        lines.append([(f"rms error against {result.comparison.reference}: {error} %", "")])
+    lines += [[("! ", "yellow"), (remark, "")] for remark in result.remarks]
+    return [*lines, []]
+
+
+def last(results: Sequence[Result]) -> list[Line]:
+    """Return a line for each of several procedures."""
+    if len(results) < 2:
+        return []
+    return [
+        [
+            (f"{words.SIGNS[result.verdict]} {result.verdict:<13}", STYLES[result.verdict]),
+            (f"  {result.procedure:<14}  {margin_words(worst(result))}", ""),
+        ]
+        for result in results
+    ]
+
+
+def _spreads(result: Result) -> bool:
+    return any(criterion.spread for criterion in result.criteria)
 
 
 def _spread(criterion: CriterionResult, decimals: int) -> str:
@@ -108,40 +136,47 @@ def _spread(criterion: CriterionResult, decimals: int) -> str:
     return f"{low} to {high}, {mean} ± {deviation}"
 
 
-def console(stream: TextIO | None = None) -> Console:
-    """Return a console on `stream`. Piped text gets no colours, and a width that cuts nothing."""
-    from rich.console import Console  # noqa: PLC0415  # as above
-
-    target = stream or sys.stdout
-    piped = not target.isatty()
-    return Console(
-        file=target,
-        highlight=False,
-        width=200 if piped else None,
-        no_color=bool(os.environ.get("NO_COLOR")) or None,
-    )
-
-
 def show(results: Sequence[Result], stream: TextIO | None = None) -> None:
     """Print the verdict tables and, for several procedures, one line each at the end."""
-    from rich.markup import escape  # noqa: PLC0415  # as above
+    target = stream or sys.stdout
+    if target.isatty() or os.environ.get("FORCE_COLOR"):
+        _show_in_colour(results, target)
+    else:
+        _show_plain(results, target)
 
-    out = console(stream)
+
+def _show_plain(results: Sequence[Result], target: TextIO) -> None:
+    """Print for a pipe, at any width and without waiting 50 ms for rich."""
+
+    def text(line: Line) -> str:
+        return "".join(part for part, _ in line)
+
     for result in results:
-        style = STYLES[result.verdict]
-        sign = words.SIGNS[result.verdict]
-        verdict = f"[{style}]{sign} {result.verdict.upper()}[/]"
-        out.print(f"[bold]{escape(result.title)}[/]  {verdict}  [dim]{escape(result.id)}[/]")
-        out.print(table(result))
-        out.print(tally(result))
-        if result.comparison:
-            error = words.fixed(result.comparison.rms_error_percent, 1)
-            out.print(f"rms error against {escape(result.comparison.reference)}: {error} %")
-        for remark in result.remarks:
-            out.print(f"[yellow]![/] {escape(remark)}")
-        out.print()
-    if len(results) > 1:
-        for result in results:
-            style = STYLES[result.verdict]
-            verdict = f"[{style}]{words.SIGNS[result.verdict]} {result.verdict:<13}[/]"
-            out.print(f"{verdict}  {escape(result.procedure):<14}  {escape(margin_words(worst(result)))}")
+        cells = [[text(cell) for cell in row(c, spreads=_spreads(result))] for c in result.criteria]
+        print(text(above(result)), aligned(heads(result), cells, right=RIGHT), sep="\n", file=target)
+        print(*map(text, below(result)), sep="\n", file=target)
+    for line in last(results):
+        print(text(line), file=target)
+
+
+def _show_in_colour(results: Sequence[Result], target: TextIO) -> None:
+    """Print for people."""
+    from rich.console import Console  # noqa: PLC0415  # a pipe need not wait for it
+    from rich.table import Table  # noqa: PLC0415  # likewise
+    from rich.text import Text  # noqa: PLC0415  # likewise
+
+    console = Console(file=target, highlight=False, no_color=bool(os.environ.get("NO_COLOR")) or None)
+    for result in results:
+        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
+        *narrow, verdict = heads(result)
+        for number, head in enumerate(narrow):
+            table.add_column(head, justify="right" if number in RIGHT else "left", no_wrap=True)
+        table.add_column(verdict)
+        for criterion in result.criteria:
+            table.add_row(*(Text.assemble(*cell) for cell in row(criterion, spreads=_spreads(result))))
+        console.print(Text.assemble(*above(result)))
+        console.print(table)
+        for line in below(result):
+            console.print(Text.assemble(*line))
+    for line in last(results):
+        console.print(Text.assemble(*line))
