@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads annotations
+from certkit.errors import UsageError
 
 if TYPE_CHECKING:
     from certkit.identification import ExtractionResult
@@ -37,15 +38,20 @@ def extract(
     vehicle=FOLDER/vehicle.yaml`.
     """
     from certkit.definitions.library import load  # noqa: PLC0415  # pydantic waits until a case is read
+    from certkit.exchange.fe import data_folder  # noqa: PLC0415  # likewise
     from certkit.files import write_whole  # noqa: PLC0415  # likewise
     from certkit.identification import extract as run  # noqa: PLC0415  # numpy waits
     from certkit.identification import vehicle_text  # noqa: PLC0415  # likewise
     from certkit.reporting import render_extraction  # noqa: PLC0415  # likewise
 
+    wanted = {name.strip() for name in formats.split(",") if name.strip()}
+    if wanted - {"html", "pdf"}:
+        unknown = min(wanted - {"html", "pdf"})
+        raise UsageError(f"there is no extraction report in `{unknown}`; write html, pdf or both")
     changes = [*(overrides or ()), *([f"vehicle={name}"] if name else ())]
     loaded = load("case", case, overrides=changes)
     document = loaded.document
-    folder = data or (case.parent / document.histories.folder if document.histories.folder else case.parent)
+    folder = data or data_folder(document.histories, case.parent)
     tell = (lambda _: None) if quiet or as_json else (lambda what: typer.echo(what, err=True))
     result = run(
         document, folder, case_folder=case.parent, case_digest={case.name: loaded.sha256}, progress=tell
@@ -55,7 +61,7 @@ def extract(
     write_whole(target / "extraction.json", result.to_json())
     if vehicle is not None:
         write_whole(target / "vehicle.yaml", vehicle)
-    render_extraction(result, target, [word.strip() for word in formats.split(",")])
+    render_extraction(result, target, wanted)
     if as_json:
         typer.echo(result.to_json(), nl=False)
     else:

@@ -9,7 +9,7 @@ from certkit.exchange.fe.histories import (
     Units,
     parse_units,
 )
-from certkit.exchange.fe.reading import FrontData, read_case_data
+from certkit.exchange.fe.reading import FrontData, data_folder, read_case_data
 
 __all__ = [
     "ContactHistory",
@@ -19,6 +19,7 @@ __all__ = [
     "PartHistory",
     "SpringHistory",
     "Units",
+    "data_folder",
     "parse_units",
     "read_case_data",
     "read_faces",

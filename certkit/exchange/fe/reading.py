@@ -27,6 +27,17 @@ class FrontData:
     faces: dict[str, Face]
 
 
+def data_folder(section: Histories, case_folder: Path) -> Path:
+    """Return the folder that the case's histories lie in: its own or one inside it.
+
+    Raises
+    ------
+    DataError
+        When the case names a folder elsewhere.
+    """
+    return case_folder if section.folder is None else _inside(case_folder, section.folder)
+
+
 def read_case_data(section: Histories, folder: Path) -> FrontData:
     """Read all files of a case.
 

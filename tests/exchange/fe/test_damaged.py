@@ -13,6 +13,7 @@ import pytest
 
 from certkit.definitions.library import load
 from certkit.errors import DataError, DefinitionError, InputError
+from certkit.exchange.fe import data_folder
 from certkit.identification import extract
 
 if TYPE_CHECKING:
@@ -75,6 +76,10 @@ TIDY: dict[str, Damage] = {
         _text("case-tidy.yaml", "files: [histories.csv]", "files: [../histories.csv]"),
         "leads out of the case's folder",
     ),
+    "a folder elsewhere": (
+        _text("case-tidy.yaml", "  files: [histories.csv]", "  folder: ../elsewhere\n  files: [histories.csv]"),
+        "leads out of the case's folder",
+    ),
     "a group that is not there": (
         _text("case-tidy.yaml", "between: [fascia, beam], contact", "between: [fascia, bream], contact"),
         "there is no group `bream`",
@@ -114,7 +119,7 @@ NATIVE: dict[str, Damage] = {
 
 def _extract(folder: Path, case: str) -> None:
     document = load("case", folder / case).document
-    extract(document, folder)
+    extract(document, data_folder(document.histories, folder))
 
 
 @pytest.fixture
