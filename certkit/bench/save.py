@@ -35,14 +35,14 @@ def save(result: Result, out: Path, formats: Collection[str]) -> list[Path]:
     write_whole(document, text)
     if not formats:
         return [document]
-    from certkit.reporting import render  # noqa: PLC0415  # jinja2 and friends only where a report is wanted
+    from certkit.reporting.writing import render_written  # noqa: PLC0415  # only where a report is wanted
 
     # From the text, whose numbers are rounded, so that reports are the ones that the document alone makes.
-    return [document, *render(from_json(text), out, formats)]
+    return [document, *render_written(from_json(text), out, formats)]
 
 
 def save_suite(results: Sequence[Result], out: Path, formats: Collection[str]) -> list[Path]:
     """Write the index page and the bound certificate of several results."""
     from certkit.reporting import render_suite  # noqa: PLC0415  # likewise
 
-    return render_suite([from_json(to_json(result)) for result in results], out, formats)
+    return render_suite(results, out, formats)

@@ -75,7 +75,11 @@ def render(result: Result, out: Path, formats: Collection[str], *, paper: Paper 
     RunError
         When the PDF's libraries are missing; all other formats are written by then.
     """
-    result = as_written(result)
+    return render_written(as_written(result), out, formats, paper=paper)
+
+
+def render_written(result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4") -> list[Path]:
+    """Do as `render` does, with a result that was read from its own JSON and so has its digits already."""
     makers: dict[str, Callable[[], bytes | str | None]] = {
         "html": lambda: _page(result),
         "pdf": lambda: _pdf([result], paper, None),
