@@ -1,6 +1,6 @@
 """certkit: a regulatory certification bench for the Flex-PLI legform.
 
-The few names that a notebook needs; each is imported when it is first used, so that `import certkit` costs nothing.
+The few names that a notebook needs; each is imported when first used, so that `import certkit` costs nothing.
 """
 
 from __future__ import annotations

@@ -44,25 +44,29 @@ def parameters(document: BaseModel) -> list[Parameter]:
 def _walk(given: object, path: str) -> Iterator[Parameter]:
     if isinstance(given, Number):
         yield Parameter(path, given.text, given.source, given.confidence)
-    elif isinstance(given, BaseModel):
-        if isinstance(given, Sourced) and given.source is not None and given.confidence is not None:
-            for key, line in given.lines().items():
-                yield Parameter(_join(path, key), line, given.source, given.confidence)
-            return
-        for name, info in type(given).model_fields.items():
-            yield from _walk(getattr(given, name), _join(path, info.alias or words(name)))
-    elif isinstance(given, dict):
-        for key, entry in given.items():
-            yield from _walk(entry, _join(path, str(key)))
+    elif isinstance(given, Sourced) and given.source is not None and given.confidence is not None:
+        for key, line in given.lines().items():
+            yield Parameter(_join(path, key), line, given.source, given.confidence)
     elif curve := _curve(given):
         first, last = curve[0], curve[-1]
         ends = " to ".join(f"({', '.join(n.text for n in point)})" for point in (first, last))
         yield Parameter(path, f"{len(curve)} points from {ends}", first[0].source, first[0].confidence)
+    else:
+        for key, entry in _entries(given):
+            yield from _walk(entry, _join(path, key))
+
+
+def _entries(given: object) -> Iterator[tuple[str, object]]:
+    """Yield what a part of a document holds, by the words it is found under; nothing for plain values."""
+    if isinstance(given, BaseModel):
+        for name, info in type(given).model_fields.items():
+            yield info.alias or words(name), getattr(given, name)
+    elif isinstance(given, dict):
+        for key, entry in given.items():
+            yield str(key), entry
     elif isinstance(given, (list, tuple)):
         for index, entry in enumerate(given, 1):
-            yield from _walk(
-                entry, _join(path, str(getattr(entry, "id", None) or getattr(entry, "quantity", index)))
-            )
+            yield str(getattr(entry, "id", None) or getattr(entry, "quantity", index)), entry
 
 
 def _curve(given: object) -> list[tuple[Number, ...]]:
