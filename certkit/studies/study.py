@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from certkit.definitions.study import Design
-    from certkit.studies.points import Evaluate, Point
+    from certkit.studies.points import Point
     from certkit.studies.quick_model import QuickModel
     from certkit.studies.runs import Progress
     from certkit.studies.scatter import Chance
@@ -246,14 +246,6 @@ def numeric_outputs(table: pd.DataFrame, factors: Sequence[Factor]) -> list[str]
         for name in table
         if name not in inputs and table[name].dtype.kind == "f" and not str(name).endswith(" margin")
     ]
-
-
-def run_many(
-    evaluate: Evaluate, points: Sequence[Point], *, processes: int | None = None, cluster: str | None = None
-) -> pd.DataFrame:
-    """Evaluate points of one's own and return the table."""
-    with Runs(evaluate, processes=processes, cluster=cluster) as runs:
-        return table_of(points, runs(points))
 
 
 def _described(factor: Factor) -> dict[str, Any]:
