@@ -1,8 +1,8 @@
 """The whole pendulum test a second time: minimal coordinates, scipy's integrator, force laws written anew.
 
-Only the legform's and the rig's documents and the masses of the segments are shared with
-`certkit.mechanics`. Without friction in the knee, whose memory of stick and slip is no function of the
-state.
+Exudyn integrates the same forces with its own bodies and joints in `pendulum_in_exudyn`. Only the legform's
+and the rig's documents and the masses of the segments are shared with `certkit.mechanics`. Without friction
+in the knee, whose memory of stick and slip is no function of the state.
 """
 
 from __future__ import annotations
