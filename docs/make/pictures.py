@@ -26,7 +26,7 @@ SCREENS = {
     "report-phone": Screen("suite/pendulum/report.html", width=390, height=844),
     "suite": Screen("suite/index.html", height=700),
     "study": Screen("study/study.html", scroll="section:has(svg)"),
-    "fe-moments": Screen("fe-compared/comparison.html", part="section:has(figure)", style=TWO_COLUMNS),
+    "fe-moments": Screen("compared/comparison.html", part="section:has(figure)", style=TWO_COLUMNS),
 }
 PAGES = {"certificate-1": 1, "certificate-2": 2}
 GIVING = ("how-to/vehicle.md", "how-to/study.md")
@@ -58,8 +58,13 @@ def _lay_out(runs: Path) -> None:
         for given in examples(DOCS / page):
             if isinstance(given, Given):
                 (runs / given.name).write_text(given.text)
+    (runs / "finite-elements.csv").write_bytes(finite_element_run())
+
+
+def finite_element_run() -> bytes:
+    """Return the shipped leg channels of the finite-element front, as a table."""
     packed = shipped_root() / "examples" / "extract" / "front" / "leg_channels.csv.gz"
-    (runs / "run.csv").write_bytes(gzip.decompress(packed.read_bytes()))
+    return gzip.decompress(packed.read_bytes())
 
 
 def _figure(name: str, command: str, runs: Path, folder: Path) -> Path:

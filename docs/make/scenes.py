@@ -6,8 +6,8 @@ RUNS = (
     "certkit run --all --allow not-evaluated --out suite",
     "certkit run --procedure vehicle --set vehicle=generic-saloon --format html --out saloon",
     "certkit extract EXAMPLES/extract/bumper-reference/case.yaml --format html --out bumper",
-    "certkit run --procedure vehicle-fe-front --format html --out fe",
-    "certkit compare run.csv fe --mapping run.yaml --lenient --out fe-compared",
+    "certkit run --procedure vehicle-fe-front --format html --out lumped-front",
+    "certkit compare finite-elements.csv lumped-front --mapping run.yaml --lenient --out compared",
     "certkit study bumper.yaml --out study",
 )
 """Run first, in turn, in a folder with the files of `how-to/vehicle.md` and `how-to/study.md`.
@@ -31,8 +31,8 @@ FIGURES = {
     "fig-18": "certkit figure bumper/extraction.json --what force",
     "fig-19": "certkit figure bumper/extraction.json --what stiffness",
     "fig-20": "certkit figure bumper/extraction.json --what material",
-    "fe-frames": "certkit figure fe/result.json --what frames",
-    "fe-table": "certkit figure fe/result.json --what table",
+    "fe-frames": "certkit figure lumped-front/result.json --what frames",
+    "fe-table": "certkit figure lumped-front/result.json --what table",
     "saloon-frames": "certkit figure saloon/result.json --what frames",
 }
 """Drawn as SVG, by the picture's name."""

@@ -2,19 +2,29 @@
 
 from __future__ import annotations
 
+import tempfile
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from certkit import bench
 from certkit.definitions.library import load
+from certkit.definitions.mapping import Mapping
 from certkit.definitions.shipped import shipped_root
+from certkit.definitions.validation import read_document
 from certkit.identification import extract
+from docs.make.examples import Given, examples
 from docs.make.markdown import figure, signed, table
+from docs.make.pictures import finite_element_run
+from docs.make.reference import DOCS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
-    from certkit.grading.result import Comparison
+    from certkit.grading.comparison_document import Overlay
+    from certkit.grading.result import Comparison, Result
     from certkit.identification import ExtractionResult
 
+VEHICLES = DOCS / "how-to" / "vehicle.md"
 CASES = ("bumper-reference", "bumper-compliant-beam", "bumper-rate-dependent-foam", "bumper-local-crush")
 
 
@@ -70,3 +80,43 @@ def peaks_table(comparison: Comparison) -> str:
         for row in comparison.rows
     ]
     return table(("channel", "finite elements", "lumped front", "unit", "error"), rows)
+
+
+UNTIL = 0.022
+"""The finite-element knee is to be trusted up to here, s."""
+
+
+def first_peaks_table(lumped: Result) -> str:
+    """Return the tibia's first peaks, and when they come, beside those of the finite-element run."""
+    mapping = next(each for each in examples(VEHICLES) if isinstance(each, Given) and "mapping:" in each.text)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        (folder / "run.csv").write_bytes(finite_element_run())
+        (folder / "run.yaml").write_text(mapping.text)
+        bench.save(lumped, folder / "lumped", [])
+        own = read_document(folder / "run.yaml", Mapping)
+        document = bench.compare(
+            folder / "run.csv", folder / "lumped", mapping=own, lenient=True, until=UNTIL
+        )
+    rows = []
+    for overlay in document.overlays:
+        if not overlay.channel.startswith("T"):
+            continue
+        (a, at_a), (b, at_b) = (_peak(curve, overlay) for curve in (overlay.reference, overlay.other))
+        rows.append(
+            (
+                overlay.channel,
+                f"{figure(a)} at {at_a:.1f} ms",
+                f"{figure(b)} at {at_b:.1f} ms",
+                f"{signed((b - a) / a * 100)} %",
+                f"{signed(at_b - at_a)} ms",
+            )
+        )
+    heads = ("first peak up to 22 ms, N·m", "finite elements", "lumped front", "error", "later by")
+    return table(heads, rows)
+
+
+def _peak(values: Sequence[float], overlay: Overlay) -> tuple[float, float]:
+    """Return the largest value and its time in ms."""
+    most = max(range(len(values)), key=values.__getitem__)
+    return values[most], (overlay.start + most * overlay.interval) * 1e3

@@ -19,7 +19,7 @@ def validation(tell: Callable[[str], None]) -> str:
     results = bench.all_procedures(tell)
     changed = leg.variants(tell)
     kin = leg.family_results(tell, ("pendulum", "inverse", "inverse-seed"))
-    front = results["vehicle-fe-front"].comparison
+    front = results["vehicle-fe-front"]
     steps = bench.steps_table("inverse", tell)
     bumpers = extraction.bumpers_table(tell)
     tell("run the physics tests")
@@ -34,5 +34,6 @@ def validation(tell: Callable[[str], None]) -> str:
         members=leg.family_size(),
         family=leg.family_table(kin),
         bumpers=bumpers,
-        peaks=extraction.peaks_table(front) if front else "",
+        first_peaks=extraction.first_peaks_table(front),
+        peaks=extraction.peaks_table(front.comparison) if front.comparison else "",
     )
