@@ -21,6 +21,7 @@ class Document(BaseModel):
 
     model_config = ConfigDict(
         extra="forbid",
+        defer_build=True,  # a section is built with the document that holds it, not once for itself
         frozen=True,
         alias_generator=words,
         populate_by_name=True,

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from certkit.definitions.origin import Confidence
-from certkit.grading.rounding import Figure, Figures, Point
+from certkit.grading.rounding import Figure, Figures, Point, Points, Poses
 
 SCHEMA = "certkit-result/1"
 
@@ -24,7 +24,12 @@ class Part(BaseModel):
     """Base of all parts of the document: no unknown fields, never changed after it is made."""
 
     model_config = ConfigDict(
-        extra="forbid", frozen=True, populate_by_name=True, serialize_by_alias=True, allow_inf_nan=False
+        extra="forbid",
+        defer_build=True,  # a part is built with the document that holds it, not once for itself
+        frozen=True,
+        populate_by_name=True,
+        serialize_by_alias=True,
+        allow_inf_nan=False,
     )
 
 
@@ -56,15 +61,15 @@ class CurveInPlane(Part):
     x_unit: str
     y_title: str
     y_unit: str
-    points: list[Point]
-    polygon: list[Point] | None = None
+    points: Points
+    polygon: Points | None = None
 
 
 class Band(Part):
     """A corridor over time in the criterion's unit: polylines of (time in s, value)."""
 
-    lower: list[Point] | None = None
-    upper: list[Point] | None = None
+    lower: Points | None = None
+    upper: Points | None = None
 
 
 class CriterionResult(Part):
@@ -197,7 +202,7 @@ class Shape(Part):
 
     name: str
     kind: Literal["bone", "knee", "flesh", "rig", "ram", "vehicle", "mass"]
-    outline: list[Point]
+    outline: Points
     closed: bool = True
 
 
@@ -206,7 +211,7 @@ class Motion(Part):
 
     times: Figures
     shapes: list[Shape]
-    poses: list[list[tuple[Figure, Figure, Figure]]]
+    poses: list[Poses]
     joints: Annotated[list[str], Field(description="Names of what `moments` colours: shape names.")] = []
     moments: list[Figures] = []
     unit: str = "N·m"

@@ -44,6 +44,16 @@ def rounded_all(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
     return listed
 
 
+def rounded_points(points: Sequence[Sequence[float]]) -> list[tuple[float, ...]]:
+    """Round many points as `rounded` does; all have as many coordinates as the first."""
+    width = len(points[0]) if points else 1
+    flat = rounded_all([value for point in points for value in point])
+    return [tuple(flat[i : i + width]) for i in range(0, len(flat), width)]
+
+
 Figure = Annotated[float, PlainSerializer(rounded, when_used="json")]
 Figures = Annotated[list[float], PlainSerializer(rounded_all, return_type=list[float], when_used="json")]
 Point = tuple[Figure, Figure]
+Points = Annotated[list[Point], PlainSerializer(rounded_points, when_used="json")]
+Pose = tuple[Figure, Figure, Figure]
+Poses = Annotated[list[Pose], PlainSerializer(rounded_points, when_used="json")]
