@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any
 
-from certkit.errors import DataError, RunError
+from certkit.errors import DataError
 from certkit.exchange.container import read_bounded
 from certkit.reporting.attachments import MANIFEST, SCHEMA
 
@@ -40,8 +40,6 @@ def attachments_of(path: Path) -> Attached:
     ------
     DataError
         When it is no PDF, is damaged, or carries no manifest.
-    RunError
-        When the package that opens PDFs is not installed.
     """
     paper, created, found = _opened(path)
     files = dict(found)
@@ -68,12 +66,8 @@ def attachments_of(path: Path) -> Attached:
 
 def _opened(path: Path) -> tuple[Paper, datetime | None, list[tuple[str, bytes]]]:
     """Open the PDF with PDFium, which is made for files that nobody vouches for."""
-    try:
-        import pypdfium2  # noqa: PLC0415  # only where a PDF is verified
-    except ImportError as error:
-        raise RunError(
-            "PDFs are opened with PDFium: pip install pypdfium2; result.json needs nothing"
-        ) from error
+    import pypdfium2  # noqa: PLC0415  # only where a PDF is verified
+
     content = read_bounded(path)
     try:
         document: Any = pypdfium2.PdfDocument(content)

@@ -43,7 +43,7 @@ def figure(
         instants; `table`: the error table; `errors`: its bars; `curve`: curves of static tests; `energy`:
         energies over time.
     form : {'svg', 'png'}
-        PNG needs the extra `png`.
+        SVG for pages, PNG at three pixels to each of the drawing's for slides.
     channels : sequence of str
         For `history` and `curve`: only these channels or criteria; all by default.
     beside : Result, optional

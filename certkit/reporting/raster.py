@@ -10,7 +10,6 @@ import io
 import re
 from typing import Any
 
-from certkit.errors import RunError
 from certkit.reporting.typesetting import pdf_of_drawing
 
 SCALE = 3.0
@@ -18,19 +17,9 @@ SCALE = 3.0
 
 
 def png(drawing: str) -> bytes:
-    """Paint a drawing on white.
+    """Paint a drawing on white."""
+    import pypdfium2  # noqa: PLC0415  # only where a PNG is wanted
 
-    Raises
-    ------
-    RunError
-        When the extra `png` is not installed.
-    """
-    try:
-        import pypdfium2  # noqa: PLC0415  # an extra
-    except ImportError as error:
-        raise RunError(
-            "PNG figures need the extra `png`: pip install 'certkit[png]'; SVG needs nothing"
-        ) from error
     match = re.search(r'width="([\d.]+)" height="([\d.]+)"', drawing)
     width, height = (float(match.group(1)), float(match.group(2))) if match else (640.0, 480.0)
     document: Any = pypdfium2.PdfDocument(pdf_of_drawing(drawing, width, height))

@@ -89,14 +89,13 @@ def test_time_zero_is_first_contact(runs: dict[str, Simulation], name: str):
     assert np.allclose(np.diff(recording.time), recording.interval)
 
 
-def test_contact_after_the_full_swing_gives_the_same_peaks_within_3_per_cent(
-    legform: Legform, runs: dict[str, Simulation]
-):
-    # Not closer: the flexible leg swings down bent and quivering, the short start has it straight.
+def test_contact_after_the_full_swing_gives_the_same_peaks(legform: Legform, runs: dict[str, Simulation]):
+    # Within 1 % where it is graded, 2 % at the femur: the flexible leg swings down bent and quivering, while
+    # the short start has it straight.
     pendulum = changed(load("procedure", "pendulum").document, "release", start="full swing")
     swung = peaks(simulate(pendulum, legform))
     for channel, peak in peaks(runs["pendulum"]).items():
-        assert swung[channel] == pytest.approx(peak, rel=0.03), channel
+        assert swung[channel] == pytest.approx(peak, rel=0.02 if channel.startswith("F") else 0.01), channel
 
 
 def test_the_ram_loses_the_momentum_that_the_contact_force_takes(

@@ -169,7 +169,6 @@ def test_what_cannot_be_drawn_is_said(
 
 
 def test_a_png_is_three_times_the_drawing(pendulum: Result):
-    pytest.importorskip("pypdfium2")
     content = figure(pendulum, "history", "png", channels=["T1"])
     assert content.startswith(b"\x89PNG")
     assert int.from_bytes(content[16:20], "big") == pytest.approx(3 * 360, abs=4)

@@ -47,7 +47,6 @@ def test_several_results_are_also_bound_into_a_suite(document: Path, tmp_path: P
 
 
 def test_figure_writes_each_format(document: Path, tmp_path: Path) -> None:
-    pytest.importorskip("pypdfium2")
     command("figure", document, "--what", "curve", "--format", "svg,png", "--out", tmp_path / "fig.7")
     assert (tmp_path / "fig.7.svg").read_bytes().startswith(b"<svg")
     assert (tmp_path / "fig.7.png").read_bytes().startswith(b"\x89PNG")
