@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gzip
 import shlex
 import subprocess
 import sys
@@ -58,13 +57,6 @@ def _lay_out(runs: Path) -> None:
         for given in examples(DOCS / page):
             if isinstance(given, Given):
                 (runs / given.name).write_text(given.text)
-    (runs / "finite-elements.csv").write_bytes(finite_element_run())
-
-
-def finite_element_run() -> bytes:
-    """Return the shipped leg channels of the finite-element front, as a table."""
-    packed = shipped_root() / "examples" / "extract" / "front" / "leg_channels.csv.gz"
-    return gzip.decompress(packed.read_bytes())
 
 
 def _figure(name: str, command: str, runs: Path, folder: Path) -> Path:
