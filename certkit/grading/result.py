@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from certkit.definitions.origin import Confidence
-from certkit.grading.rounding import Figure, Figures, Point, Points, Poses
+from certkit.grading.rounding import Figure, Figures, Point, Points, Poses, Rows
 
 SCHEMA = "certkit-result/1"
 
@@ -211,9 +211,9 @@ class Motion(Part):
 
     times: Figures
     shapes: list[Shape]
-    poses: list[Poses]
+    poses: Poses
     joints: Annotated[list[str], Field(description="Names of what `moments` colours: shape names.")] = []
-    moments: list[Figures] = []
+    moments: Rows = []
     unit: str = "N·m"
     scene: Annotated[list[Shape], Field(description="Shapes that never move, in world axes.")] = []
 

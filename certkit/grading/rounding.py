@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import islice
 from typing import TYPE_CHECKING, Annotated
 
 from pydantic import PlainSerializer
@@ -44,16 +45,22 @@ def rounded_all(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
     return listed
 
 
-def rounded_points(points: Sequence[Sequence[float]]) -> list[tuple[float, ...]]:
-    """Round many points as `rounded` does; all have as many coordinates as the first."""
-    width = len(points[0]) if points else 1
-    flat = rounded_all([value for point in points for value in point])
-    return [tuple(flat[i : i + width]) for i in range(0, len(flat), width)]
+def rounded_rows(rows: Sequence[Sequence[float]]) -> list[list[float]]:
+    """Round rows of numbers, such as points, as `rounded` does, all in one go."""
+    numbers = iter(rounded_all([value for row in rows for value in row]))
+    return [list(islice(numbers, len(row))) for row in rows]
+
+
+def rounded_frames(frames: Sequence[Sequence[Sequence[float]]]) -> list[list[list[float]]]:
+    """Likewise for a table of numbers a frame."""
+    rows = iter(rounded_rows([row for frame in frames for row in frame]))
+    return [list(islice(rows, len(frame))) for frame in frames]
 
 
 Figure = Annotated[float, PlainSerializer(rounded, when_used="json")]
 Figures = Annotated[list[float], PlainSerializer(rounded_all, return_type=list[float], when_used="json")]
 Point = tuple[Figure, Figure]
-Points = Annotated[list[Point], PlainSerializer(rounded_points, when_used="json")]
+Points = Annotated[list[Point], PlainSerializer(rounded_rows, when_used="json")]
+Rows = Annotated[list[list[float]], PlainSerializer(rounded_rows, when_used="json")]
 Pose = tuple[Figure, Figure, Figure]
-Poses = Annotated[list[Pose], PlainSerializer(rounded_points, when_used="json")]
+Poses = Annotated[list[list[Pose]], PlainSerializer(rounded_frames, when_used="json")]

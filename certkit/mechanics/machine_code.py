@@ -13,7 +13,7 @@ import os
 import platform
 import sys
 from functools import cache
-from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
@@ -148,12 +148,20 @@ def _digest() -> str:
     features = llvm.get_host_cpu_features()
     settings = sorted((name, value) for name, value in os.environ.items() if name.startswith("NUMBA_"))
     host = (sys.platform, platform.machine(), llvm.get_host_cpu_name(), features.flatten())
-    programs = (version("numba"), llvm.llvm_version_info, sys.version_info[:2])
+    programs = (_numba_version(), llvm.llvm_version_info, sys.version_info[:2])
     digest = hashlib.sha256(repr((host, programs, settings)).encode())
     for pattern in SOURCES:
         for source in sorted(FOLDER.glob(pattern)):
             digest.update(source.read_bytes())
     return digest.hexdigest()
+
+
+def _numba_version() -> bytes:
+    """Return the file in which numba says its version: quicker read than through its metadata."""
+    found = find_spec("numba")
+    if found is None or found.origin is None:
+        raise RunError("numba is not installed; install certkit with its dependencies")
+    return Path(found.origin).with_name("_version.py").read_bytes()
 
 
 def _keep(file: Path, code: Code) -> None:
