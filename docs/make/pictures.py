@@ -28,8 +28,8 @@ SCREENS = {
     "fe-moments": Screen("compared/comparison.html", part="section:has(figure)", style=TWO_COLUMNS),
 }
 PAGES = {"certificate-1": 1, "certificate-2": 2}
-GIVING = ("how-to/vehicle.md", "how-to/study.md")
-"""Pages whose files the runs need."""
+GIVING = DOCS / "how-to" / "study.md"
+"""The page whose files the runs need."""
 
 
 def write_pictures(folder: Path = DOCS / "pictures", *, tell: Callable[[str], None] = print) -> list[Path]:
@@ -52,11 +52,10 @@ def write_pictures(folder: Path = DOCS / "pictures", *, tell: Callable[[str], No
 
 
 def _lay_out(runs: Path) -> None:
-    """Put the files that the pages give where the runs find them."""
-    for page in GIVING:
-        for given in examples(DOCS / page):
-            if isinstance(given, Given):
-                (runs / given.name).write_text(given.text)
+    """Put the files that the page gives where the runs find them."""
+    for given in examples(GIVING):
+        if isinstance(given, Given):
+            (runs / given.name).write_text(given.text)
 
 
 def _figure(name: str, command: str, runs: Path, folder: Path) -> Path:
