@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import resource
 import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
@@ -46,6 +47,18 @@ def processor_seconds(task: Callable[[], object], repeats: int = 5) -> float:
         task()
         times.append(time.process_time() - start)
     return min(times)
+
+
+def child_seconds(*tasks: Callable[[], object], repeats: int = 7) -> list[float]:
+    """Return the least processor time of the processes that each task starts; tasks take turns."""
+    times: list[list[float]] = [[] for _ in tasks]
+    for _ in range(repeats):
+        for task, spent in zip(tasks, times, strict=True):
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            task()
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            spent.append(after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime)
+    return [min(spent) for spent in times]
 
 
 def wall_seconds(task: Callable[[], object], repeats: int = 3) -> float:
