@@ -39,8 +39,12 @@ A twentieth of the law's misfit is added: points that describe noise are worth n
 VIRGIN = 0.003
 """A shortening within this share of the range below its largest value so far still counts as loading."""
 
-DAMPER_GAIN = 0.95
-"""A damper is kept when it brings the rms misfit below this share of the misfit without one."""
+DAMPER_GAIN = 0.75
+"""A damper is kept when it brings the rms misfit below this share of the misfit without one.
+
+One impact hardly tells a damper from a stiffer curve: for a few per cent of misfit a quarter of the force may go
+from the one to the other, so a damper has to explain something that the curve cannot.
+"""
 
 STARTS = ((1.5, 0.05, 0.0), (4.0, 0.3, 0.0), (12.0, 0.1, 0.2), (4.0, 0.0, 0.0))
 """First guesses of (unloading stiffness ÷ secant, residual share, permanent set)."""
