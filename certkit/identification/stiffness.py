@@ -42,8 +42,8 @@ VIRGIN = 0.003
 DAMPER_GAIN = 0.75
 """A damper is kept when it brings the rms misfit below this share of the misfit without one.
 
-One impact hardly tells a damper from a stiffer curve: for a few per cent of misfit a quarter of the force may go
-from the one to the other, so a damper has to explain something that the curve cannot.
+One impact hardly tells a damper from a stiffer curve: for a few per cent of misfit a quarter of the force may
+go from the one to the other, so a damper has to explain something that the curve cannot.
 """
 
 STARTS = ((1.5, 0.05, 0.0), (4.0, 0.3, 0.0), (12.0, 0.1, 0.2), (4.0, 0.0, 0.0))
