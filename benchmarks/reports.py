@@ -6,7 +6,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from clock import Row, processor_seconds
+from clock import Row, seconds_in_turn
 from weasyprint import HTML
 
 from certkit import bench
@@ -25,7 +25,9 @@ def rows() -> Iterator[Row]:
     figures += [drawing for drawing in (shown.frames, shown.errors, shown.energies) if drawing]
     plain_page = "<html><body>" + "".join(f"<p>Figure</p>{figure}" for figure in figures) + "</body></html>"
     with tempfile.TemporaryDirectory() as folder:
-        plain = processor_seconds(lambda: HTML(string=plain_page).write_pdf())
-        ours = processor_seconds(lambda: render(result, Path(folder), ["html", "pdf"]))
+        plain, ours = seconds_in_turn(
+            lambda: HTML(string=plain_page).write_pdf(),
+            lambda: render(result, Path(folder), ["html", "pdf"]),
+        )
     yield Row(f"WeasyPrint sets a plain page with {len(figures)} figures", plain, "s")
     yield Row("HTML and PDF of the pendulum test, over that page", ours / plain, "", 4)
