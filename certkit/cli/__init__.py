@@ -99,6 +99,7 @@ def main() -> None:
     gc.set_threshold(500_000)
     # Nor are pydantic's plugins wanted, which it looks for among all packages that are installed: 10 ms.
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    built = app.registered_commands, app.registered_groups
     _build_only(sys.argv[1] if len(sys.argv) > 1 else "")
     try:
         app()
@@ -120,4 +121,6 @@ def main() -> None:
         typer.echo("interrupted; nothing half-written is left behind", err=True)
         sys.exit(130)
     finally:
+        # Whoever calls us from Python finds all commands again.
+        app.registered_commands, app.registered_groups = built
         gc.freeze()  # no last look for garbage in a process that ends
