@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import gc
 import os
 import sys
@@ -85,12 +86,14 @@ def _options(
     del version
 
 
-def _build_only(name: str) -> None:
-    """Leave all commands but the named one unbuilt: to build the options of all of them costs 10 ms."""
+def _app_for(name: str) -> typer.Typer:
+    """Return the app with the named command alone: to build the options of all of them costs 10 ms."""
     wanted = [command for command in app.registered_commands if command.name == name]
-    if wanted:
-        app.registered_commands = wanted
-        app.registered_groups = []
+    if not wanted:
+        return app
+    alone = copy.copy(app)
+    alone.registered_commands, alone.registered_groups = wanted, []
+    return alone
 
 
 def main() -> None:
@@ -99,10 +102,8 @@ def main() -> None:
     gc.set_threshold(500_000)
     # Nor are pydantic's plugins wanted, which it looks for among all packages that are installed: 10 ms.
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
-    built = app.registered_commands, app.registered_groups
-    _build_only(sys.argv[1] if len(sys.argv) > 1 else "")
     try:
-        app()
+        _app_for(sys.argv[1] if len(sys.argv) > 1 else "")()
     except CertkitError as error:
         for line in str(error).splitlines():
             typer.echo(f"error: {line}", err=True)
@@ -121,6 +122,4 @@ def main() -> None:
         typer.echo("interrupted; nothing half-written is left behind", err=True)
         sys.exit(130)
     finally:
-        # Whoever calls us from Python finds all commands again.
-        app.registered_commands, app.registered_groups = built
         gc.freeze()  # no last look for garbage in a process that ends
