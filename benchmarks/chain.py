@@ -16,8 +16,8 @@ from chain_oracle import Chain, bone_chain
 from tight import tight_chain
 
 from certkit.errors import RunError
-from certkit.mechanics.laws import BENDING
-from certkit.mechanics.loop import Plan, run_world
+from certkit.mechanics.force_laws import BENDING
+from certkit.mechanics.solver.time_loop import Plan, run_world
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -10,7 +10,7 @@ from clock import Row, exponent
 from certkit.definitions.study import Study
 from certkit.studies.designs import latin_hypercube
 from certkit.studies.runs import Runs
-from certkit.studies.study import set_up
+from certkit.studies.study_findings import set_up
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -11,7 +11,7 @@ from weasyprint import HTML
 
 from certkit import bench
 from certkit.reporting import render
-from certkit.reporting.view import view
+from certkit.reporting.result_view import view
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -12,17 +12,17 @@ from certkit._version import __version__
 
 if TYPE_CHECKING:
     from certkit.bench import compare, grade, run
-    from certkit.definitions.library import load
+    from certkit.definitions.loading.library import load
     from certkit.reporting import render
-    from certkit.studies.study import study
+    from certkit.studies.study_findings import study
 
 _HOMES = {
     "compare": "certkit.bench",
     "grade": "certkit.bench",
-    "load": "certkit.definitions.library",
+    "load": "certkit.definitions.loading.library",
     "render": "certkit.reporting",
     "run": "certkit.bench",
-    "study": "certkit.studies.study",
+    "study": "certkit.studies.study_findings",
 }
 
 __all__ = ["__version__", "compare", "grade", "load", "render", "run", "study"]

@@ -9,21 +9,21 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from certkit.bench.run_simulation import run, run_setup
 from certkit.bench.save import save, save_suite
 from certkit.bench.setup import Setup, prepare
-from certkit.bench.simulated import run, run_setup
 
 if TYPE_CHECKING:
-    from certkit.bench.comparing import compare
-    from certkit.bench.exporting import export
-    from certkit.bench.family import run_family
-    from certkit.bench.measured import grade
+    from certkit.bench.compare import compare
+    from certkit.bench.export import export
+    from certkit.bench.grade_measurement import grade
+    from certkit.bench.run_family import run_family
 
 _HOMES = {
-    "compare": "certkit.bench.comparing",
-    "export": "certkit.bench.exporting",
-    "grade": "certkit.bench.measured",
-    "run_family": "certkit.bench.family",
+    "compare": "certkit.bench.compare",
+    "export": "certkit.bench.export",
+    "grade": "certkit.bench.grade_measurement",
+    "run_family": "certkit.bench.run_family",
 }
 
 __all__ = [

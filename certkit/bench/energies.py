@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.grading.result import Histories, Series
+from certkit.documents.result import Histories, Series
 
 if TYPE_CHECKING:
     from certkit.mechanics import Simulation

@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.grading.result import CurveInPlane, Front, Histories, Series
+from certkit.documents.result import CurveInPlane, Front, Histories, Series
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from certkit.mechanics import Simulation
-    from certkit.mechanics.laws.table import Floats
+    from certkit.mechanics.force_laws.law import Floats
 
 MOST = 300
 """Points that a picture of a history needs."""

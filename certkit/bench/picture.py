@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.grading.result import Motion, Shape
+from certkit.documents.result import Motion, Shape
 
 if TYPE_CHECKING:
     from certkit.mechanics import Figure as MovingFigure

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.documents.channel_curves import recording_of
 from certkit.errors import DataError
 from certkit.grading import read_result
-from certkit.grading.curves import recording_of
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -28,7 +28,7 @@ def recognised(path: Path) -> Recording | None:
     document = path.parent / "result.json"
     if path.name != "channels.csv" or not document.is_file():
         return None
-    from certkit.reporting.machine import channels_csv  # noqa: PLC0415  # only for this one comparison
+    from certkit.exchange.channels_csv import channels_csv  # noqa: PLC0415  # only for this one comparison
 
     try:
         result = read_result(document)

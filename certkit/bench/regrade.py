@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.bench.laboratory import NO_LABORATORY, LaboratoryPart, laboratory_part
+from certkit.bench.laboratory_terms import NO_LABORATORY, LaboratoryPart, laboratory_part
 from certkit.bench.setup import prepare
-from certkit.definitions.kinds import KINDS
 from certkit.definitions.laboratory import Laboratory
-from certkit.definitions.reader import read_tree
-from certkit.definitions.shelves import TextShelf
-from certkit.definitions.validation import validate
+from certkit.definitions.loading.kinds import KINDS
+from certkit.definitions.loading.search_path import TextShelf
+from certkit.definitions.loading.validation import validate
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.documents.channel_curves import recording_of
 from certkit.errors import DataError
 from certkit.grading import evaluate
-from certkit.grading.curves import recording_of
 
 if TYPE_CHECKING:
-    from certkit.grading.result import Result
+    from certkit.documents.result import Result
 
 
 def embedded_shelf(result: Result) -> TextShelf:

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
     from pathlib import Path
 
-    from certkit.grading.result import Result
+    from certkit.documents.result import Result
 
 
 def save(result: Result, out: Path, formats: Collection[str]) -> list[Path]:

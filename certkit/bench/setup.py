@@ -7,9 +7,9 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
-from certkit.definitions.library import Loaded, load, names
-from certkit.definitions.parameters import parameters
-from certkit.grading.result import InputFile, Override, Parameter, Provenance
+from certkit.definitions.loading.library import Loaded, load, names
+from certkit.definitions.loading.parameter_list import parameters
+from certkit.documents.result import InputFile, Override, Parameter, Provenance
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
     from pydantic import BaseModel
 
-    from certkit.definitions.corridor import CorridorSet
+    from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.legform import Legform
-    from certkit.definitions.library import Library
+    from certkit.definitions.loading.library import Library
     from certkit.definitions.procedure import Procedure
     from certkit.definitions.reference import Reference
     from certkit.definitions.vehicle import Vehicle

@@ -5,15 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from certkit.documents.channel_curves import recording_of
 from certkit.exchange.read import read_recording
 from certkit.grading import read_result
-from certkit.grading.curves import recording_of
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from certkit.definitions.mapping import Mapping
-    from certkit.grading.result import Result
+    from certkit.definitions.channel_mapping import Mapping
+    from certkit.documents.result import Result
     from certkit.signals import Recording
 
 

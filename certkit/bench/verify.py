@@ -9,19 +9,19 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
-from certkit.bench.attached import Attached, attachments_of
+from certkit.bench.pdf_attachments import Attached, attachments_of
 from certkit.bench.regrade import regrade
+from certkit.documents.certificate_id import certificate_id
 from certkit.errors import CertkitError, DataError
+from certkit.exchange.channels_csv import channels_csv
 from certkit.exchange.container import read_bounded
 from certkit.grading import from_json, to_json
-from certkit.grading.identity import certificate_id
-from certkit.reporting.machine import channels_csv
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from pathlib import Path
 
-    from certkit.grading.result import CriterionResult, Result
+    from certkit.documents.result import CriterionResult, Result
 
 SAME = 1e-5
 """Relative difference of values that count as the same: the document keeps seven digits of its channels."""
@@ -109,9 +109,9 @@ def _report_checks(path: Path, result: Result) -> Iterator[Check]:
     """Check that the reports beside a document are what it renders to; another certkit may draw otherwise."""
     if result.provenance.certkit != __version__:
         return
+    from certkit.reporting.html_report import page  # noqa: PLC0415  # likewise
     from certkit.reporting.junit import junit  # noqa: PLC0415  # jinja2 only where there is a page to check
     from certkit.reporting.markdown import summary  # noqa: PLC0415  # likewise
-    from certkit.reporting.page import page  # noqa: PLC0415  # likewise
 
     makers: dict[str, Callable[[], str | bytes]] = {
         "report.html": lambda: page(result),
@@ -163,7 +163,7 @@ def _pages_check(path: Path, results: list[Result], attached: Attached) -> Itera
         for r in results
     ):
         return
-    from certkit.reporting.certificate import certificate  # noqa: PLC0415  # WeasyPrint takes a second
+    from certkit.reporting.pdf_certificate import certificate  # noqa: PLC0415  # WeasyPrint takes a second
 
     content = read_bounded(path)
     same = content.startswith(certificate(results, paper=attached.paper, created=attached.created))

@@ -13,21 +13,21 @@ import typer
 
 from certkit._version import __version__
 from certkit.cli import (
-    calibrate,
-    compare,
-    export,
-    extract,
-    figure,
-    grade,
-    history,
-    list_,
-    report,
-    run,
-    schema,
-    show,
-    study,
-    validate,
-    verify,
+    calibrate_command,
+    compare_command,
+    export_command,
+    extract_command,
+    figure_command,
+    grade_command,
+    history_command,
+    list_command,
+    report_command,
+    run_command,
+    schema_command,
+    show_command,
+    study_command,
+    validate_command,
+    verify_command,
 )
 from certkit.errors import CertkitError
 
@@ -52,21 +52,21 @@ TESTS = "Tests"
 MODELS = "Models and studies"
 DEFINITIONS = "Definitions"
 
-app.command("run", rich_help_panel=TESTS)(run.run)
-app.command("grade", rich_help_panel=TESTS)(grade.grade)
-app.command("compare", rich_help_panel=TESTS)(compare.compare)
-app.command("report", rich_help_panel=TESTS)(report.report)
-app.command("figure", rich_help_panel=TESTS)(figure.figure)
-app.command("export", rich_help_panel=TESTS)(export.export)
-app.command("verify", rich_help_panel=TESTS)(verify.verify)
-app.add_typer(history.app, name="history", rich_help_panel=TESTS)
-app.command("extract", rich_help_panel=MODELS)(extract.extract)
-app.command("calibrate", rich_help_panel=MODELS)(calibrate.calibrate)
-app.command("study", rich_help_panel=MODELS)(study.study)
-app.command("list", rich_help_panel=DEFINITIONS)(list_.list_)
-app.command("show", rich_help_panel=DEFINITIONS)(show.show)
-app.command("validate", rich_help_panel=DEFINITIONS)(validate.validate)
-app.command("schema", rich_help_panel=DEFINITIONS)(schema.schema)
+app.command("run", rich_help_panel=TESTS)(run_command.run)
+app.command("grade", rich_help_panel=TESTS)(grade_command.grade)
+app.command("compare", rich_help_panel=TESTS)(compare_command.compare)
+app.command("report", rich_help_panel=TESTS)(report_command.report)
+app.command("figure", rich_help_panel=TESTS)(figure_command.figure)
+app.command("export", rich_help_panel=TESTS)(export_command.export)
+app.command("verify", rich_help_panel=TESTS)(verify_command.verify)
+app.add_typer(history_command.app, name="history", rich_help_panel=TESTS)
+app.command("extract", rich_help_panel=MODELS)(extract_command.extract)
+app.command("calibrate", rich_help_panel=MODELS)(calibrate_command.calibrate)
+app.command("study", rich_help_panel=MODELS)(study_command.study)
+app.command("list", rich_help_panel=DEFINITIONS)(list_command.list_)
+app.command("show", rich_help_panel=DEFINITIONS)(show_command.show)
+app.command("validate", rich_help_panel=DEFINITIONS)(validate_command.validate)
+app.command("schema", rich_help_panel=DEFINITIONS)(schema_command.schema)
 
 
 def _version(*, wanted: bool) -> None:

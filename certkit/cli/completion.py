@@ -5,7 +5,7 @@ from __future__ import annotations
 
 def kinds(incomplete: str) -> list[str]:
     """Offer the kinds of definition."""
-    from certkit.definitions.kinds import KINDS  # noqa: PLC0415  # pydantic waits until somebody asks
+    from certkit.definitions.loading.kinds import KINDS  # noqa: PLC0415  # pydantic waits until somebody asks
 
     return [word for word in KINDS if word.startswith(incomplete)]
 
@@ -17,15 +17,15 @@ def kinds_and_result(incomplete: str) -> list[str]:
 
 def procedures(incomplete: str) -> list[str]:
     """Offer the shipped procedures."""
-    from certkit.definitions.library import names  # noqa: PLC0415  # as above
+    from certkit.definitions.loading.library import names  # noqa: PLC0415  # as above
 
     return [name for name in names("procedure") if name.startswith(incomplete)]
 
 
 def definitions(incomplete: str) -> list[str]:
     """Offer all shipped definitions."""
-    from certkit.definitions.kinds import KINDS  # noqa: PLC0415  # as above
-    from certkit.definitions.library import names  # noqa: PLC0415  # as above
+    from certkit.definitions.loading.kinds import KINDS  # noqa: PLC0415  # as above
+    from certkit.definitions.loading.library import names  # noqa: PLC0415  # as above
 
     found = {name for kind in KINDS.values() if kind.folder for name in names(kind.word)}
     return sorted(name for name in found if name.startswith(incomplete))

@@ -10,11 +10,11 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from certkit.definitions.document import Document
-from certkit.definitions.faults import Fault, Faults
-from certkit.definitions.quantities import parse_quantity
-from certkit.definitions.sentences import suggestion
-from certkit.definitions.vocabulary import CHANNELS
+from certkit.definitions.base import Document
+from certkit.definitions.channels import CHANNELS
+from certkit.definitions.loading.error_messages import suggestion
+from certkit.definitions.loading.faults import Fault, Faults
+from certkit.definitions.units import parse_quantity
 
 # Dimensions of channels whose unit table goes by another name.
 _TABLE = {"elongation": "length", "displacement": "length"}

@@ -6,8 +6,8 @@ from typing import Annotated
 
 from pydantic import Field
 
-from certkit.definitions.document import Section
-from certkit.definitions.origin import (
+from certkit.definitions.base import Section
+from certkit.definitions.provenance import (
     Angle,
     BendingStiffness,
     Damping,

@@ -6,12 +6,12 @@ from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import Field, model_validator
 
-from certkit.definitions.document import Document, Section, Sourced
-from certkit.definitions.faults import Fault, Faults
-from certkit.definitions.origin import Confidence, Time
-from certkit.definitions.quantities import UNITS, parse_quantity
+from certkit.definitions.base import Document, Section, Sourced
+from certkit.definitions.loading.error_messages import suggestion
+from certkit.definitions.loading.faults import Fault, Faults
+from certkit.definitions.provenance import Confidence, Time
 from certkit.definitions.rig import Rig
-from certkit.definitions.sentences import suggestion
+from certkit.definitions.units import UNITS, parse_quantity
 
 
 class Method(Document):

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from certkit.definitions.document import Sourced
+from certkit.definitions.base import Sourced
 
 
 class Reference(Sourced):

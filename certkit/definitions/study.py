@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from certkit.definitions.document import Document
+from certkit.definitions.base import Document
 
 Quantity = str | float
 

@@ -6,9 +6,9 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from certkit.definitions.document import Section
-from certkit.definitions.faults import Fault, Faults
-from certkit.definitions.origin import Damping, Force, Length, Mass, Ratio, Stiffness
+from certkit.definitions.base import Section
+from certkit.definitions.loading.faults import Fault, Faults
+from certkit.definitions.provenance import Damping, Force, Length, Mass, Ratio, Stiffness
 
 
 class Group(Section):

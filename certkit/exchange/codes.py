@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 
-from certkit.definitions.mapping import Condition, Mapping, MmeTable
-from certkit.definitions.reader import read_tree
-from certkit.definitions.validation import validate
+from certkit.definitions.channel_mapping import Condition, Mapping, MmeTable
+from certkit.definitions.loading.validation import validate
+from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.exchange.filters import LETTER_OF_FILTER
 
 

@@ -6,10 +6,10 @@ import re
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
-from certkit.exchange.units import quantity, quantity_of_any_dimension
+from certkit.exchange.data_units import quantity, quantity_of_any_dimension
 
 if TYPE_CHECKING:
-    from certkit.definitions.mapping import Mapping
+    from certkit.definitions.channel_mapping import Mapping
     from certkit.exchange.codes import CodeTable
     from certkit.exchange.measured import Leniency
     from certkit.exchange.mme_header import Header

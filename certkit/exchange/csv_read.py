@@ -7,19 +7,19 @@ import re
 from types import MappingProxyType
 from typing import TYPE_CHECKING, get_args
 
-from certkit.definitions.mapping import Column, Filter, Mapping, TimeColumn
-from certkit.definitions.quantities import parse_quantity
-from certkit.definitions.vocabulary import CHANNELS
+from certkit.definitions.channel_mapping import Column, Filter, Mapping, TimeColumn
+from certkit.definitions.channels import CHANNELS
+from certkit.definitions.units import parse_quantity
 from certkit.errors import DataError
 from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.conditions import mapped_conditions, read_condition
 from certkit.exchange.container import read_bounded
 from certkit.exchange.csv_table import CsvTable, cut
+from certkit.exchange.data_units import factor, quantity, table_dimension
 from certkit.exchange.measured import Leniency, Measured, SourceFile
 from certkit.exchange.samples import read_samples, read_with_gaps
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import TimeBase, base_of_times
-from certkit.exchange.units import factor, quantity, table_dimension
 from certkit.signals.clipping import find_clipping
 from certkit.signals.recording import Channel, Kind, Recording
 

@@ -14,7 +14,7 @@ from certkit.exchange.samples import Lines
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.definitions.mapping import CsvLayout
+    from certkit.definitions.channel_mapping import CsvLayout
 
 _REMARK = re.compile(r"#\s*([A-Za-z][A-Za-z0-9 ]*?)\s*:\s*(.+)")
 

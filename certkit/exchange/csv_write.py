@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.quantities import UNITS
+from certkit.definitions.units import UNITS
 from certkit.exchange.codes import code_table
 from certkit.files import write_whole
 

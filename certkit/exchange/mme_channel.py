@@ -6,14 +6,14 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from certkit.definitions.vocabulary import CHANNELS, ChannelKind
+from certkit.definitions.channels import CHANNELS, ChannelKind
 from certkit.errors import DataError
+from certkit.exchange.data_units import factor
 from certkit.exchange.filters import FILTER_OF_LETTER
 from certkit.exchange.limits import MAX_SAMPLES
 from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.samples import Lines, read_samples
 from certkit.exchange.timebase import TimeBase
-from certkit.exchange.units import factor
 from certkit.signals.clipping import find_clipping
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from pathlib import Path, PurePosixPath
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from certkit.definitions.vocabulary import CHANNELS
+from certkit.definitions.channels import CHANNELS
 from certkit.errors import DataError
 from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.conditions import mapped_conditions, mme_conditions
@@ -28,7 +28,7 @@ from certkit.exchange.timebase import common_base
 from certkit.signals.recording import Channel, Recording
 
 if TYPE_CHECKING:
-    from certkit.definitions.mapping import Mapping
+    from certkit.definitions.channel_mapping import Mapping
 
 _SHOWN = (
     "Laboratory name",

@@ -9,7 +9,7 @@ import zipfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.definitions.quantities import UNITS
+from certkit.definitions.units import UNITS
 from certkit.errors import UsageError
 from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.mme_header import NOVALUE
@@ -18,7 +18,7 @@ from certkit.files import write_whole
 if TYPE_CHECKING:
     from collections.abc import Mapping as Lookup
 
-    from certkit.definitions.mapping import Mapping
+    from certkit.definitions.channel_mapping import Mapping
     from certkit.signals.recording import Channel, Recording
 
 _UNIT = {"N·m": "Nm", "m/s²": "m/(s*s)"}

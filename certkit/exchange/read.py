@@ -11,7 +11,7 @@ from certkit.exchange.mme_read import read_mme
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from certkit.definitions.mapping import Mapping
+    from certkit.definitions.channel_mapping import Mapping
     from certkit.exchange.measured import Measured
 
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.corridor import Band, Polygon, Window
-from certkit.definitions.vocabulary import TIME, Dimension
+from certkit.definitions.channels import TIME, Dimension
+from certkit.definitions.corridor_set import Band, Polygon, Window
 from certkit.errors import UsageError
 from certkit.grading.measure import channel_name, quantity
 
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.definitions.corridor import CorridorSet
-    from certkit.definitions.origin import Confidence
+    from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.procedure import Criterion
+    from certkit.definitions.provenance import Confidence
     from certkit.grading.measure import Trace
 
 IMPACTOR = "Flex-PLI"

@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.corridor import Band as BandCorridor
-from certkit.definitions.corridor import Polygon, Window
+from certkit.definitions.corridor_set import Band as BandCorridor
+from certkit.definitions.corridor_set import Polygon, Window
+from certkit.documents.channel_curves import MOST_POINTS, plane_points
+from certkit.documents.result import Band, CriterionResult, CurveInPlane, Uncertainty
+from certkit.grading.corridor_distance import band_distance, end_faces, polygon_distance, refined
 from certkit.grading.corridors import Corridor, Missing, band_lines, find_corridor, limits, polygon_corners
-from certkit.grading.curves import MOST_POINTS, plane_points
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule, decide
 from certkit.grading.measure import Measured, channel_name
-from certkit.grading.plane import band_distance, end_faces, polygon_distance, refined
-from certkit.grading.result import Band, CriterionResult, CurveInPlane, Uncertainty
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.definitions.corridor import CorridorSet
+    from certkit.definitions.channels import Dimension
+    from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.procedure import Criterion
-    from certkit.definitions.vocabulary import Dimension
     from certkit.grading.measure import Trace
 
 START_OF_CURVE = 0.1

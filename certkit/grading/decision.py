@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:
-    from certkit.grading.result import Verdict
+    from certkit.documents.result import Verdict
 
 COVERAGE = 2.0
 """Coverage factor k of an expanded uncertainty: U = k·u."""

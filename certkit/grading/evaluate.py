@@ -6,19 +6,19 @@ import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from certkit.documents.certificate_id import with_id
+from certkit.documents.channel_curves import drawn_curves, raw_channels
+from certkit.documents.result import Result
+from certkit.documents.verdicts import worst
 from certkit.errors import DataError
-from certkit.grading.comparison import compare
 from certkit.grading.corridors import IMPACTOR
 from certkit.grading.criterion import Judgement, grade_criterion
-from certkit.grading.curves import drawn_curves, raw_channels
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
-from certkit.grading.identity import with_id
 from certkit.grading.measure import Measured, NoInterval, Window, channel_name, measure
 from certkit.grading.preconditions import grade_preconditions
+from certkit.grading.reference_errors import compare
 from certkit.grading.remarks import remarks
-from certkit.grading.result import Result
 from certkit.grading.scores import grade_scores
-from certkit.grading.verdicts import worst
 from certkit.signals import AssessmentInterval, Filtered, assessment_interval, condition
 from certkit.signals.cfc import EDITION
 from certkit.signals.interval import BONE_CHANNELS
@@ -26,10 +26,10 @@ from certkit.signals.interval import BONE_CHANNELS
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from certkit.definitions.corridor import CorridorSet
+    from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.procedure import Criterion, Procedure
     from certkit.definitions.reference import Reference
-    from certkit.grading.result import (
+    from certkit.documents.result import (
         CriterionResult,
         Front,
         Histories,
@@ -91,7 +91,7 @@ def evaluate(  # noqa: PLR0913  # everything that a result carries comes in here
     reference : Reference, optional
         For the error table.
     quality : Quality, optional
-        Of a simulated run, from `certkit.grading.quality`.
+        Of a simulated run, from `certkit.grading.quality_gate`.
     motion : Motion, optional
         The moving picture.
     energies : Histories, optional

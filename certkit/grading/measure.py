@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.quantities import parse_quantity
-from certkit.definitions.vocabulary import TIME, Dimension, channel_kind
+from certkit.definitions.channels import TIME, Dimension, channel_kind
+from certkit.definitions.units import parse_quantity
 from certkit.errors import DataError, UsageError
 
 if TYPE_CHECKING:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from certkit.definitions.quantities import UNITS, parse_quantity
+from certkit.definitions.units import UNITS, parse_quantity
+from certkit.documents.result import PreconditionResult
 from certkit.errors import UsageError
-from certkit.grading.result import PreconditionResult
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

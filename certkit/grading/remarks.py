@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from certkit.definitions.origin import Confidence
-    from certkit.grading.result import (
+    from certkit.definitions.provenance import Confidence
+    from certkit.documents.result import (
         Comparison,
         CriterionResult,
         Kind,

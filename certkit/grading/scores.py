@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.definitions.quantities import parse_quantity
+from certkit.definitions.units import parse_quantity
+from certkit.documents.result import ScoreResult
 from certkit.errors import UsageError
-from certkit.grading.result import ScoreResult
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.definitions.corridor import Score
-    from certkit.grading.result import CriterionResult
+    from certkit.definitions.corridor_set import Score
+    from certkit.documents.result import CriterionResult
 
 
 def points(value: float, full: float, zero: float, maximum: float) -> float:

@@ -16,7 +16,7 @@ from certkit.identification.grouping import GROUND, Graph, Link
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from certkit.definitions.case import Case, CaseGroup
+    from certkit.definitions.extraction_case import Case, CaseGroup
     from certkit.exchange.fe import PartHistories
     from certkit.identification.sampling import Grid
 

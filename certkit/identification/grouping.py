@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from certkit.errors import DataError
 
 if TYPE_CHECKING:
-    from certkit.definitions.case import Case, CaseGroup, Path
+    from certkit.definitions.extraction_case import Case, CaseGroup, Path
     from certkit.exchange.fe import PartHistories
 
 GROUND = "ground"

@@ -10,19 +10,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.documents.extraction import MaterialResult
 from certkit.errors import DataError
-from certkit.exchange.fe.table import read_table
-from certkit.identification.result import MaterialResult
+from certkit.exchange.fe.numeric_table import read_table
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from numpy.typing import NDArray
 
-    from certkit.definitions.case import Material
+    from certkit.definitions.extraction_case import Material
     from certkit.exchange.fe import PartHistories
-    from certkit.identification.law import SpringLaw
     from certkit.identification.sampling import Grid
+    from certkit.identification.spring_law import SpringLaw
 
     Values = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.identification.law import Branch, SpringLaw
+from certkit.identification.spring_law import Branch, SpringLaw
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -10,7 +10,7 @@ from certkit.errors import DataError
 from certkit.identification.grouping import GROUND
 
 if TYPE_CHECKING:
-    from certkit.identification.result import ExtractionResult, GroupResult, LawResult, PathResult
+    from certkit.documents.extraction import ExtractionResult, GroupResult, LawResult, PathResult
 
 _HASH_DIGITS = 12
 

@@ -8,23 +8,23 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from certkit.errors import RunError
-from certkit.mechanics.channels import channels, probes
-from certkit.mechanics.front import FrontHistories, front_histories, front_probes
-from certkit.mechanics.leg import add_leg
-from certkit.mechanics.loop import Plan, Trajectory, run_world
-from certkit.mechanics.motion import Motion, film
-from certkit.mechanics.quality import Quality, judge
-from certkit.mechanics.rigs.added_mass import with_added_mass
-from certkit.mechanics.rigs.bending import DRAG, HOLD, RAMP, fit_loading_ram, fit_supports
-from certkit.mechanics.rigs.front import fit_front
-from certkit.mechanics.rigs.pins import fit_hanger, fit_hinge
-from certkit.mechanics.rigs.ram import fit_ram
-from certkit.mechanics.rigs.release import fit_release
-from certkit.mechanics.rigs.site import Site
-from certkit.mechanics.rigs.stopper import fit_stopper
-from certkit.mechanics.segments import leg_segments
-from certkit.mechanics.space import ITERATIONS
-from certkit.mechanics.world import Assembly
+from certkit.mechanics.fixtures.added_mass import with_added_mass
+from certkit.mechanics.fixtures.hinge_and_hanger import fit_hanger, fit_hinge
+from certkit.mechanics.fixtures.honeycomb_ram import fit_ram
+from certkit.mechanics.fixtures.release import fit_release
+from certkit.mechanics.fixtures.rig_assembly import Site
+from certkit.mechanics.fixtures.stopper import fit_stopper
+from certkit.mechanics.fixtures.three_point_bending import DRAG, HOLD, RAMP, fit_loading_ram, fit_supports
+from certkit.mechanics.fixtures.vehicle_front import fit_front
+from certkit.mechanics.legform.leg import add_leg
+from certkit.mechanics.legform.segments import leg_segments
+from certkit.mechanics.outputs.energy_balance import Quality, judge
+from certkit.mechanics.outputs.front_response import FrontHistories, front_histories, front_probes
+from certkit.mechanics.outputs.motion import Motion, film
+from certkit.mechanics.outputs.recorded_channels import channels, probes
+from certkit.mechanics.solver.pymunk_space import ITERATIONS
+from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
+from certkit.mechanics.solver.world import Assembly
 from certkit.signals import Recording
 
 if TYPE_CHECKING:

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
 
-from certkit.grading.document import to_json
-from certkit.reporting.machine import channels_csv
+from certkit.documents.result_json import to_json
+from certkit.exchange.channels_csv import channels_csv
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.grading.result import Result
+    from certkit.documents.result import Result
 
 MANIFEST = "manifest.json"
 SCHEMA = "certkit-attachments/1"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.documents.result_json import read_result
 from certkit.errors import UsageError
-from certkit.grading.document import read_result
 from certkit.reporting.figures import figure, painted
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def _of_extraction(
     document: Path, what: str, forms: Sequence[str], paths: Sequence[str]
 ) -> tuple[str, dict[str, bytes]]:
     from certkit.identification import ExtractionResult  # noqa: PLC0415  # numpy waits
-    from certkit.reporting.extraction import EXTRACTION_FIGURES, extraction_drawing  # noqa: PLC0415  # likewise
+    from certkit.reporting.extraction_report import EXTRACTION_FIGURES, extraction_drawing  # noqa: PLC0415  # likewise
 
     if what not in EXTRACTION_FIGURES:
         raise UsageError(f"an extraction has no figure `{what}`; use {', '.join(EXTRACTION_FIGURES)}")

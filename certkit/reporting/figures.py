@@ -5,19 +5,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Literal, get_args
 
 from certkit.errors import UsageError
-from certkit.reporting.charts.errors import errors_chart
-from certkit.reporting.charts.frames import frames_chart, key_frames
-from certkit.reporting.charts.history import history_chart, times
+from certkit.reporting.charts.channel_history import history_chart, times
+from certkit.reporting.charts.error_bars import errors_chart
+from certkit.reporting.charts.grid import sheet
 from certkit.reporting.charts.lines import energies_chart, lines_chart
+from certkit.reporting.charts.motion_frames import frames_chart, key_frames
 from certkit.reporting.charts.plane import plane_chart
-from certkit.reporting.charts.sheet import sheet
 from certkit.reporting.charts.tables import corridors_table, errors_table
-from certkit.reporting.view import ordered_channels
+from certkit.reporting.result_view import ordered_channels
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from certkit.grading.result import Result
+    from certkit.documents.result import Result
 
 What = Literal["corridor", "history", "frames", "table", "curve", "errors", "energy"]
 WHAT: tuple[str, ...] = get_args(What)

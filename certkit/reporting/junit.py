@@ -14,12 +14,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree as ET
 
-from certkit.reporting.words import corridor, criterion_decimals, fixed
+from certkit.reporting.number_format import corridor, criterion_decimals, fixed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.grading.result import CriterionResult, Result, Verdict
+    from certkit.documents.result import CriterionResult, Result, Verdict
 
 
 def junit(results: Sequence[Result]) -> bytes:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.reporting import words
+from certkit.reporting import number_format as words
 from certkit.reporting.junit import message
-from certkit.reporting.worst import margin_words, tally, worst
+from certkit.reporting.margins import margin_words, tally, worst
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from certkit.grading.result import CriterionResult, Result
+    from certkit.documents.result import CriterionResult, Result
 
 
 def summary(results: Sequence[Result]) -> str:

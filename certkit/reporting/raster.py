@@ -10,7 +10,7 @@ import io
 import re
 from typing import Any
 
-from certkit.reporting.typesetting import pdf_of_drawing
+from certkit.reporting.pdf_engine import pdf_of_drawing
 
 SCALE = 3.0
 """Pixels for each pixel of the drawing: 288 dots an inch."""

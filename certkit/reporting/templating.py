@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from certkit.errors import UsageError
-from certkit.reporting import words
+from certkit.reporting import number_format as words
 from certkit.reporting.charts.position import position_bar
-from certkit.reporting.front import front_view
+from certkit.reporting.vehicle_front_view import front_view
 
 if TYPE_CHECKING:
     from jinja2.sandbox import SandboxedEnvironment

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.documents.result_json import from_json, to_json
 from certkit.errors import UsageError
 from certkit.files import write_whole
-from certkit.grading.document import from_json, to_json
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Sequence
     from pathlib import Path
 
-    from certkit.grading.result import Result
+    from certkit.documents.result import Result
     from certkit.identification import ExtractionResult
-    from certkit.reporting.certificate import Paper
+    from certkit.reporting.pdf_certificate import Paper
 
 FORMATS = ("html", "pdf", "junit", "csv", "md")
 FILES = {
@@ -128,8 +128,8 @@ def _write(
 
 
 def render_extraction(result: ExtractionResult, out: Path, formats: Collection[str]) -> list[Path]:
-    """Write the report of an extraction; see `certkit.reporting.extraction`."""
-    from certkit.reporting.extraction import render_extraction as write  # noqa: PLC0415  # jinja2 waits
+    """Write the report of an extraction; see `certkit.reporting.extraction_report`."""
+    from certkit.reporting.extraction_report import render_extraction as write  # noqa: PLC0415  # jinja2 waits
 
     return write(result, out, formats)
 
@@ -138,19 +138,19 @@ def render_extraction(result: ExtractionResult, out: Path, formats: Collection[s
 
 
 def _page(result: Result) -> str:
-    from certkit.reporting.page import page  # noqa: PLC0415  # see above
+    from certkit.reporting.html_report import page  # noqa: PLC0415  # see above
 
     return page(result)
 
 
 def _suite_page(results: Sequence[Result], title: str) -> str:
-    from certkit.reporting.page import suite_page  # noqa: PLC0415  # see above
+    from certkit.reporting.html_report import suite_page  # noqa: PLC0415  # see above
 
     return suite_page(results, title)
 
 
 def _pdf(results: Sequence[Result], paper: Paper, title: str | None) -> bytes:
-    from certkit.reporting.certificate import certificate  # noqa: PLC0415  # see above
+    from certkit.reporting.pdf_certificate import certificate  # noqa: PLC0415  # see above
 
     return certificate(results, paper=paper, title=title, contents=title is not None)
 
@@ -162,7 +162,7 @@ def _junit(results: Sequence[Result]) -> bytes:
 
 
 def _csv(result: Result) -> str | None:
-    from certkit.reporting.machine import channels_csv  # noqa: PLC0415  # see above
+    from certkit.exchange.channels_csv import channels_csv  # noqa: PLC0415  # see above
 
     return channels_csv(result)
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.vocabulary import ELONGATION, MOMENT
+from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.errors import DataError
 from certkit.signals.clipping import AMPLITUDE_CLASS, find_clipping
 from certkit.signals.noise import FREE_FLIGHT_NOISE, WINDOW, free_flight

@@ -1,11 +1,11 @@
-"""The channels' vocabulary as the rooms from here on know it; it is kept in `certkit.definitions.vocabulary`.
+"""The channels' vocabulary as the rooms from here on know it; it is kept in `certkit.definitions.channels`.
 
 Definitions name channels too and lie below this room, so the words live there.
 """
 
 from __future__ import annotations
 
-from certkit.definitions.vocabulary import (
+from certkit.definitions.channels import (
     ACCELERATION,
     ANGLE,
     CHANNELS,

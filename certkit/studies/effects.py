@@ -44,7 +44,7 @@ def main_effects(table: pd.DataFrame, factors: Sequence[Factor], outputs: Sequen
     Parameters
     ----------
     table : DataFrame
-        From `certkit.studies.table`; rows without the output are left out.
+        From `certkit.studies.run_table`; rows without the output are left out.
     factors : sequence of Factor
     outputs : sequence of str
         Numeric columns.

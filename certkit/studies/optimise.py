@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from certkit.definitions.corridor import Window
-from certkit.definitions.vocabulary import channel_kind
+from certkit.definitions.channels import channel_kind
+from certkit.definitions.corridor_set import Window
 from certkit.errors import RunError, UsageError
 from certkit.grading.corridors import Corridor, find_corridor, limits
 from certkit.studies.designs import at_shares
 from certkit.studies.factors import Factor, Uniform
 from certkit.studies.quantity import share, written
-from certkit.studies.table import table_of
+from certkit.studies.run_table import table_of
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -72,7 +72,7 @@ class Optimum:
     name, title : str
     factors : tuple of Factor
     table : DataFrame
-        Every run; see `certkit.studies.table`.
+        Every run; see `certkit.studies.run_table`.
     best : int
         Row of the best run, from 0.
     keeps : bool

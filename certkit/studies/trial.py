@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import certkit
 from certkit.bench.setup import PACKAGES, Setup, prepare
-from certkit.definitions.vocabulary import channel_kind
+from certkit.definitions.channels import channel_kind
 from certkit.grading import grade_criteria, grade_quality, overall
 from certkit.studies.quantity import written
 
@@ -144,7 +144,7 @@ def numbers_of(document: object) -> list[tuple[str, str]]:
     """List path and written value of every number in a document; nothing for None."""
     from pydantic import BaseModel  # noqa: PLC0415  # beside its only use
 
-    from certkit.definitions.parameters import parameters  # noqa: PLC0415  # likewise
+    from certkit.definitions.loading.parameter_list import parameters  # noqa: PLC0415  # likewise
 
     return [(p.path, p.value) for p in parameters(document)] if isinstance(document, BaseModel) else []
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from certkit.definitions.kinds import KINDS, Kind
-from certkit.definitions.library import names
-from certkit.definitions.quantities import UNITS
-from certkit.definitions.schemas import schema_of
+from certkit.definitions.loading.json_schema import schema_of
+from certkit.definitions.loading.kinds import KINDS, Kind
+from certkit.definitions.loading.library import names
+from certkit.definitions.units import UNITS
 from docs.make.markdown import anchor, page, table
 from docs.make.schema import described
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from certkit.grading.comparison_document import ComparisonDocument
-from certkit.grading.result import Result
+from certkit.documents.comparison import ComparisonDocument
+from certkit.documents.result import Result
 from docs.make.markdown import page
 from docs.make.schema import described
 

@@ -35,7 +35,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Write the pages that all tests look at."""
     import synthetic_result  # noqa: PLC0415  # its folder is on the path only now
 
-    from certkit.reporting.page import page, suite_page  # noqa: PLC0415  # likewise
+    from certkit.reporting.html_report import page, suite_page  # noqa: PLC0415  # likewise
 
     place = tmp_path_factory.mktemp("pages")
     results = {

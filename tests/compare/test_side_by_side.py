@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from certkit.bench.comparing import compare
+from certkit.bench.compare import compare
+from certkit.documents.comparison import comparison_from_json, comparison_json
 from certkit.errors import DataError
 from certkit.exchange.csv_write import write_csv
-from certkit.grading.comparison_document import comparison_from_json, comparison_json
-from certkit.reporting.comparison import comparison_page, comparison_text
+from certkit.reporting.comparison_report import comparison_page, comparison_text
 from certkit.signals import CHANNELS, Channel, Recording
 
 if TYPE_CHECKING:

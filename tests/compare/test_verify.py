@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 
 from certkit import bench
 from certkit.bench.verify import verify
-from certkit.definitions.library import names
+from certkit.definitions.loading.library import names
+from certkit.documents.certificate_id import with_id
 from certkit.errors import CertkitError, DataError
 from certkit.grading import from_json, read_result, to_json, write_result
-from certkit.grading.identity import with_id
 
 pikepdf = pytest.importorskip("pikepdf")
 

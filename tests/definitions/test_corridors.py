@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from certkit.definitions.corridor import CorridorSet
-from certkit.definitions.plane import crossing
-from certkit.definitions.reader import read_tree
-from certkit.definitions.validation import validate
+from certkit.definitions.corridor_set import CorridorSet
+from certkit.definitions.loading.validation import validate
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.definitions.polygon import crossing
 from certkit.errors import DefinitionError
 
 HEAD = "corridors: mine\ntitle: Mine\norigin: {source: my handbook, confidence: verified}\n"

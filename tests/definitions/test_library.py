@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from certkit.definitions.kinds import KINDS, kind_of
-from certkit.definitions.library import load, names, neighbours
-from certkit.definitions.shelves import TextShelf
+from certkit.definitions.loading.kinds import KINDS, kind_of
+from certkit.definitions.loading.library import load, names, neighbours
+from certkit.definitions.loading.search_path import TextShelf
 from certkit.definitions.shipped import shipped_root
 from certkit.errors import DefinitionError, UsageError
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from certkit.definitions.library import load
-from certkit.definitions.overrides import Change
+from certkit.definitions.loading.library import load
+from certkit.definitions.loading.overrides import Change
 from certkit.errors import DefinitionError, UsageError
 
 

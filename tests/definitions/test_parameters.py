@@ -6,9 +6,9 @@ import pickle
 
 import pytest
 
-from certkit.definitions.library import load
-from certkit.definitions.origin import Number, Origin
-from certkit.definitions.parameters import Parameter, parameters
+from certkit.definitions.loading.library import load
+from certkit.definitions.loading.parameter_list import Parameter, parameters
+from certkit.definitions.provenance import Number, Origin
 from certkit.definitions.rig import Hinge, Ram
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.definitions.shipped import shipped_root
 from certkit.errors import DefinitionError
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from certkit.definitions.quantities import UNITS, alike, dimensions, parse_quantity
+from certkit.definitions.units import UNITS, alike, dimensions, parse_quantity
 
 SPELLED = {
     "°": "degree",

@@ -10,8 +10,8 @@ import yaml
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from certkit.definitions import reader
-from certkit.definitions.reader import MAX_BYTES, MAX_DEPTH, read_tree, read_value
+from certkit.definitions.loading import yaml_reader as reader
+from certkit.definitions.loading.yaml_reader import MAX_BYTES, MAX_DEPTH, read_tree, read_value
 from certkit.errors import DefinitionError
 
 

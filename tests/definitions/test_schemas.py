@@ -7,11 +7,11 @@ from typing import Any
 import jsonschema
 import pytest
 
-from certkit.definitions.catalogue import catalogue
-from certkit.definitions.kinds import KINDS
-from certkit.definitions.library import find
-from certkit.definitions.reader import read_tree
-from certkit.definitions.schemas import DIALECT, schema_of
+from certkit.definitions.loading.catalogue import catalogue
+from certkit.definitions.loading.json_schema import DIALECT, schema_of
+from certkit.definitions.loading.kinds import KINDS
+from certkit.definitions.loading.library import find
+from certkit.definitions.loading.yaml_reader import read_tree
 
 ENTRIES = [(entry.kind, entry.name) for entry in catalogue()]
 

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 import pytest
 import yaml
 
-from certkit.definitions.catalogue import catalogue
-from certkit.definitions.corridor import CorridorSet
-from certkit.definitions.kinds import KINDS
-from certkit.definitions.library import find, load, names
-from certkit.definitions.origin import CONFIDENCES
-from certkit.definitions.parameters import parameters
-from certkit.definitions.quantities import parse_quantity
-from certkit.definitions.reader import read_tree
-from certkit.definitions.survey import survey_all
-from certkit.definitions.validation import validate
+from certkit.definitions.corridor_set import CorridorSet
+from certkit.definitions.loading.catalogue import catalogue
+from certkit.definitions.loading.kinds import KINDS
+from certkit.definitions.loading.library import find, load, names
+from certkit.definitions.loading.lint import survey_all
+from certkit.definitions.loading.parameter_list import parameters
+from certkit.definitions.loading.validation import validate
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.definitions.provenance import CONFIDENCES
+from certkit.definitions.units import parse_quantity
 
 if TYPE_CHECKING:
     from pydantic import BaseModel

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from certkit.definitions.agreement import disagreements
-from certkit.definitions.kinds import KINDS
-from certkit.definitions.library import find, load
-from certkit.definitions.reader import read_tree
-from certkit.definitions.survey import survey
+from certkit.definitions.loading.cross_references import disagreements
+from certkit.definitions.loading.kinds import KINDS
+from certkit.definitions.loading.library import find, load
+from certkit.definitions.loading.lint import survey
+from certkit.definitions.loading.yaml_reader import read_tree
 
 if TYPE_CHECKING:
     from pathlib import Path

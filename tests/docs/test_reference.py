@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from certkit.definitions.kinds import KINDS
+from certkit.definitions.loading.kinds import KINDS
 from docs.make.reference import DOCS, PAGES, write_reference
 
 

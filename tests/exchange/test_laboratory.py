@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from certkit.bench.laboratory import read_laboratory
+from certkit.bench.laboratory_terms import read_laboratory
 from certkit.definitions.logo import embedded_logo
 from certkit.errors import DataError, DefinitionError
 

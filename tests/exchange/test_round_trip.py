@@ -14,8 +14,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from certkit.definitions.mapping import Mapping
-from certkit.definitions.vocabulary import CHANNELS
+from certkit.definitions.channel_mapping import Mapping
+from certkit.definitions.channels import CHANNELS
 from certkit.errors import DataError, UsageError
 from certkit.exchange.codes import code_table
 from certkit.exchange.csv_read import read_csv

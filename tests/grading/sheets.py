@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from certkit.definitions.corridor import CorridorSet
+from certkit.definitions.channels import CHANNELS
+from certkit.definitions.corridor_set import CorridorSet
 from certkit.definitions.procedure import Criterion, Procedure
-from certkit.definitions.vocabulary import CHANNELS
+from certkit.documents.result import Provenance
 from certkit.grading import evaluate
-from certkit.grading.result import Provenance
 from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:
-    from certkit.grading.result import CriterionResult, Result
+    from certkit.documents.result import CriterionResult, Result
     from certkit.signals.recording import Kind
 
 Floats = NDArray[np.float64]

@@ -12,12 +12,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sheets import PROVENANCE, TIME, bump, corridor_set, grade, procedure, recording
 
+from certkit.documents.certificate_id import certificate_id
+from certkit.documents.channel_curves import drawn_curves, histories, raw_channels, recording_of, thinned
+from certkit.documents.result import Quality, Result
+from certkit.documents.rounding import rounded, rounded_all
 from certkit.errors import DataError, UsageError
 from certkit.grading import exit_code, from_json, read_result, to_json, with_spread, worst, write_result
-from certkit.grading.curves import drawn_curves, histories, raw_channels, recording_of, thinned
-from certkit.grading.identity import certificate_id
-from certkit.grading.result import Quality, Result
-from certkit.grading.rounding import rounded, rounded_all
 from certkit.signals import Filtered
 
 if TYPE_CHECKING:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.definitions.reference import Reference
+from certkit.documents.result import CriterionResult
 from certkit.errors import UsageError
-from certkit.grading.comparison import compare, error_percent, rms, whole_percent
-from certkit.grading.result import CriterionResult
+from certkit.grading.reference_errors import compare, error_percent, rms, whole_percent
 
 TABLE_1 = load("reference", "seed-table-1").document
 PUBLISHED = {"F3": 52.0, "F2": 110.0, "F1": 165.0, "T1": 200.0, "T2": 150.0, "T3": 92.0, "T4": 40.0}

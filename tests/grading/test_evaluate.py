@@ -11,10 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sheets import TIME, bump, corridor_set, grade, only, procedure, recording
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
+from certkit.documents.result import PreconditionResult, Quality
 from certkit.errors import DataError, UsageError
 from certkit.grading import DecisionRule, criterion_values
-from certkit.grading.result import PreconditionResult, Quality
 
 WINDOW = corridor_set(windows={"T1": {"lower": "235 N·m", "upper": "272 N·m"}})
 SHEET = procedure({"id": "T1", "corridor": "set/T1"})

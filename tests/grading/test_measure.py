@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from sheets import TIME, bump, criterion, recording
 
-from certkit.definitions.vocabulary import TIME as TIME_DIMENSION
+from certkit.definitions.channels import TIME as TIME_DIMENSION
 from certkit.errors import UsageError
 from certkit.grading.measure import Measured, NoInterval, Window, measure
 from certkit.signals import AssessmentInterval, Filtered, Recording

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from sheets import TIME, bump, corridor_set, grade, only, procedure, recording
 
 from certkit.errors import UsageError
-from certkit.grading.plane import band_distance, end_faces, polygon_distance, refined
+from certkit.grading.corridor_distance import band_distance, end_faces, polygon_distance, refined
 
 SQUARE = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 100.0], [0.0, 100.0]])
 LEVELS = np.linspace(0.0, 4000.0, 41)

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
+from certkit.documents.result import CriterionResult
 from certkit.errors import UsageError
-from certkit.grading.result import CriterionResult
 from certkit.grading.scores import grade_scores, points
 
 EURO_NCAP = load("corridors", "euro-ncap-2014").document.scores

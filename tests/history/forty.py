@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from datetime import date, timedelta
 
-from certkit.grading.identity import with_id
-from certkit.grading.result import CriterionResult, Provenance, Result
+from certkit.documents.certificate_id import with_id
+from certkit.documents.result import CriterionResult, Provenance, Result
 
 CERTIFICATIONS = ("pendulum", "inverse", "static-femur", "static-tibia", "static-knee")
 BEGIN = date(2025, 1, 6)

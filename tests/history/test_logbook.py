@@ -10,17 +10,17 @@ from typing import TYPE_CHECKING
 import pytest
 from forty import BEGIN, document, forty
 
-from certkit.definitions.logbook import LogbookRules
+from certkit.definitions.logbook_rules import LogbookRules
+from certkit.documents.logbook_overview import overview_json
 from certkit.errors import DataError, UsageError
 from certkit.grading import write_result
-from certkit.history import Logbook, add, overview, rebuild
-from certkit.history.document import overview_json
-from certkit.history.page import logbook_page
+from certkit.logbook import Logbook, add, overview, rebuild
+from certkit.reporting.logbook_page import logbook_page
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from certkit.grading.result import Result
+    from certkit.documents.result import Result
 
 
 def kept(folder: Path, results: list[Result]) -> Logbook:
@@ -173,7 +173,7 @@ def test_a_document_without_a_laboratory_is_refused(tmp_path: Path):
     result = document("A", BEGIN, 1, "pendulum", 250.0)
     path = tmp_path / "result.json"
     bare = result.model_copy(update={"laboratory": None, "id": ""})
-    from certkit.grading.identity import with_id  # noqa: PLC0415  # only here
+    from certkit.documents.certificate_id import with_id  # noqa: PLC0415  # only here
 
     write_result(with_id(bare), path)
     with pytest.raises(DataError, match="no serial number"):

@@ -8,8 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from certkit.definitions.library import load
-from certkit.identification import ExtractionResult, extract, vehicle_text
+from certkit.definitions.loading.library import load
+from certkit.identification import ExtractionResult, vehicle_text
+from certkit.identification.five_steps import extract
 
 CASES = Path(__file__).parents[2] / "examples/extract"
 FORMATS = ["case.yaml", "case-converted.yaml", "case-tidy.yaml"]

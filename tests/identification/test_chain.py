@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from certkit.definitions.case import Case
-from certkit.identification import extract
+from certkit.definitions.extraction_case import Case
+from certkit.identification.five_steps import extract
 
 if TYPE_CHECKING:
     from pathlib import Path

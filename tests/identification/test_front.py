@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 from scipy.signal import butter, filtfilt
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.errors import DataError
-from certkit.exchange.fe.table import read_table
-from certkit.identification import ExtractionResult, extract, vehicle_text
+from certkit.exchange.fe.numeric_table import read_table
+from certkit.identification import ExtractionResult, vehicle_text
+from certkit.identification.five_steps import extract
 from certkit.mechanics import Simulation, simulate
 
 FRONT = Path(__file__).parents[2] / "examples/extract/front"

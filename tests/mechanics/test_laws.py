@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from certkit.mechanics.laws import BENDING, CABLES, CONDYLES, CRUSH, CUSHION
-from certkit.mechanics.loop import Plan, Trajectory, run_world
-from certkit.mechanics.world import GROUND, Assembly
+from certkit.mechanics.force_laws import BENDING, CABLES, CONDYLES, CRUSH, CUSHION
+from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
+from certkit.mechanics.solver.world import GROUND, Assembly
 
 STEP = 1e-5
 

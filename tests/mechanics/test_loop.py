@@ -7,15 +7,15 @@ import pytest
 from numba import njit
 from pymunk import batch
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.errors import RunError
-from certkit.mechanics.kernel import act, predict, tables_of, weigh
-from certkit.mechanics.laws import BENDING, BOOKS, CUSHION
-from certkit.mechanics.laws.table import FORCE, LEDGER, POWER, STORED, Scene
-from certkit.mechanics.loop import Plan, run_world
+from certkit.mechanics.force_laws import BENDING, BOOKS, CUSHION
+from certkit.mechanics.force_laws.law import FORCE, LEDGER, POWER, STORED, Scene
 from certkit.mechanics.simulate import build
-from certkit.mechanics.space import GET, SET, SPARE, build_space
-from certkit.mechanics.world import GROUND, Assembly, World
+from certkit.mechanics.solver.kernel import act, predict, tables_of, weigh
+from certkit.mechanics.solver.pymunk_space import GET, SET, SPARE, build_space
+from certkit.mechanics.solver.time_loop import Plan, run_world
+from certkit.mechanics.solver.world import GROUND, Assembly, World
 
 
 @njit(error_model="numpy")

@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from certkit.definitions.library import load
-from certkit.mechanics import machine_code
-from certkit.mechanics.handover import KINDS, Handover, block
-from certkit.mechanics.loop import Plan, run_world
-from certkit.mechanics.machine_code import Code, Entry
+from certkit.definitions.loading.library import load
 from certkit.mechanics.simulate import build
-from certkit.mechanics.world import World
+from certkit.mechanics.solver import object_cache as machine_code
+from certkit.mechanics.solver.kernel_arguments import KINDS, Handover, block
+from certkit.mechanics.solver.object_cache import Code, Entry
+from certkit.mechanics.solver.time_loop import Plan, run_world
+from certkit.mechanics.solver.world import World
 
 
 @pytest.fixture(scope="module")
@@ -73,7 +73,8 @@ def test_a_process_that_finds_the_kept_loop_imports_neither_numba_nor_scipy(
     monkeypatch.setattr(machine_code, "compile_loop", lambda: code)
     trajectory(world)
     script = (
-        "import sys; from certkit.mechanics.machine_code import loop; import certkit.mechanics.loop; loop(); "
+        "import sys; from certkit.mechanics.solver.object_cache import loop; "
+        "import certkit.mechanics.solver.time_loop; loop(); "
         "print([name for name in ('numba', 'scipy') if name in sys.modules])"
     )
     found = subprocess.run(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.errors import RunError
 from certkit.mechanics import Simulation, simulate
 from certkit.signals.cfc import cfc

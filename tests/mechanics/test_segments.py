@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.errors import RunError
-from certkit.mechanics.leg import add_leg
-from certkit.mechanics.segments import assembled, bone_segments, leg_segments
-from certkit.mechanics.world import Assembly
+from certkit.mechanics.legform.leg import add_leg
+from certkit.mechanics.legform.segments import assembled, bone_segments, leg_segments
+from certkit.mechanics.solver.world import Assembly
 
 if TYPE_CHECKING:
     from certkit.definitions.legform import Legform

@@ -8,15 +8,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.definitions.vehicle import Connection, Vehicle
 from certkit.errors import DefinitionError, RunError
-from certkit.identification.law import Branch, SpringLaw
+from certkit.identification.spring_law import Branch, SpringLaw
 from certkit.mechanics import Simulation, simulate
-from certkit.mechanics.laws import POINTS, SPRINGS
-from certkit.mechanics.loop import Plan, run_world
-from certkit.mechanics.rigs.front import face_strips, loading_curve
-from certkit.mechanics.world import GROUND, Assembly
+from certkit.mechanics.fixtures.vehicle_front import face_strips, loading_curve
+from certkit.mechanics.force_laws import POINTS, SPRINGS
+from certkit.mechanics.solver.time_loop import Plan, run_world
+from certkit.mechanics.solver.world import GROUND, Assembly
 
 SHIPPED = ["generic-saloon", "generic-suv", "generic-sports-car"]
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from certkit.mechanics.laws import BENDING
-from certkit.mechanics.world import Assembly, World
+from certkit.mechanics.force_laws import BENDING
+from certkit.mechanics.solver.world import Assembly, World
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from certkit.mechanics.segments import leg_segments
+from certkit.mechanics.legform.segments import leg_segments
 
 if TYPE_CHECKING:
     from certkit.definitions.legform import Legform

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from chain_oracle import Chain, bone_chain
 
-from certkit.mechanics.laws import BENDING
-from certkit.mechanics.loop import Plan, run_world
+from certkit.mechanics.force_laws import BENDING
+from certkit.mechanics.solver.time_loop import Plan, run_world
 
 UNTIL = 0.03
 

@@ -9,9 +9,9 @@ import pytest
 from chain_oracle import Chain, bone_chain
 from scipy.linalg import eigh
 
-from certkit.mechanics.laws import BENDING, CRUSH, SUPPORTS
-from certkit.mechanics.loop import Plan, Trajectory, run_world
-from certkit.mechanics.world import GROUND, Assembly
+from certkit.mechanics.force_laws import BENDING, CRUSH, SUPPORTS
+from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
+from certkit.mechanics.solver.world import GROUND, Assembly
 
 
 def energy(run: Trajectory) -> np.ndarray:

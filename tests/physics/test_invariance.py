@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from certkit.definitions.library import load
-from certkit.mechanics.laws import BENDING, CABLES, CONDYLES
-from certkit.mechanics.leg import add_leg
-from certkit.mechanics.loop import Plan, run_world
-from certkit.mechanics.segments import leg_segments
-from certkit.mechanics.world import Assembly, World
+from certkit.definitions.loading.library import load
+from certkit.mechanics.force_laws import BENDING, CABLES, CONDYLES
+from certkit.mechanics.legform.leg import add_leg
+from certkit.mechanics.legform.segments import leg_segments
+from certkit.mechanics.solver.time_loop import Plan, run_world
+from certkit.mechanics.solver.world import Assembly, World
 
 if TYPE_CHECKING:
     from certkit.definitions.legform import Legform

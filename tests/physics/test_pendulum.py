@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from pendulum_oracle import Pendulum, Pose, solve
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.mechanics import simulate
-from certkit.mechanics.channels import stations
+from certkit.mechanics.outputs.recorded_channels import stations
 
 if TYPE_CHECKING:
     from certkit.definitions.legform import Legform

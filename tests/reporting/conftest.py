@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import synthetic_result
 
-from certkit.grading.result import Result
+from certkit.documents.result import Result
 
 
 @pytest.fixture(scope="session")

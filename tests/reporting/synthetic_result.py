@@ -7,7 +7,7 @@ import math
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from certkit.grading.result import Result
+from certkit.documents.result import Result
 
 CORRIDORS = {
     "T1": ("Tibia moment 1", "N·m", 235.0, 272.0, 253.4, 0.0231),

@@ -17,12 +17,13 @@ import pytest
 import synthetic_result
 import weasyprint
 
+from certkit.documents.result import Result
+from certkit.documents.result_json import from_json
 from certkit.errors import RunError, UsageError
-from certkit.grading.document import from_json
-from certkit.grading.result import Result
-from certkit.reporting import render, typesetting
+from certkit.reporting import pdf_engine as typesetting
+from certkit.reporting import render
 from certkit.reporting.attachments import MANIFEST
-from certkit.reporting.certificate import certificate
+from certkit.reporting.pdf_certificate import certificate
 
 
 @pytest.fixture(scope="module")
@@ -155,7 +156,7 @@ def test_another_day_gives_the_same_bytes(monkeypatch: pytest.MonkeyPatch):
 def test_another_process_gives_the_same_bytes(tmp_path: Path):
     code = (
         "import sys; sys.path.insert(0, sys.argv[1]); import synthetic_result; from pathlib import Path;"
-        "from certkit.reporting.certificate import certificate;"
+        "from certkit.reporting.pdf_certificate import certificate;"
         "Path(sys.argv[2]).write_bytes(certificate([synthetic_result.static_result()]))"
     )
     folder = synthetic_result.__file__.rsplit("/", 1)[0]

@@ -8,11 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from synthetic_result import parsed
 
+from certkit.documents.result import CriterionResult, Result
 from certkit.errors import UsageError
-from certkit.grading.result import CriterionResult, Result
 from certkit.reporting import figure, palette
-from certkit.reporting.charts.frames import key_frames
-from certkit.reporting.charts.history import history_chart
+from certkit.reporting.charts.channel_history import history_chart
+from certkit.reporting.charts.motion_frames import key_frames
 from certkit.reporting.charts.position import position_bar
 from certkit.reporting.figures import WHAT
 from certkit.reporting.scales import Scale, span, thinned, ticks

@@ -8,11 +8,11 @@ import pikepdf
 import pytest
 from synthetic_result import parsed
 
+from certkit.documents.extraction import ClosureResult, GroupResult, LawResult, MaterialResult, PathResult
 from certkit.errors import UsageError
 from certkit.identification import ExtractionResult
-from certkit.identification.result import ClosureResult, GroupResult, LawResult, MaterialResult, PathResult
 from certkit.reporting import render_extraction
-from certkit.reporting.extraction import EXTRACTION_FIGURES, extraction_drawing, extraction_page
+from certkit.reporting.extraction_report import EXTRACTION_FIGURES, extraction_drawing, extraction_page
 from certkit.reporting.figure_files import figure_files
 
 if TYPE_CHECKING:

@@ -9,11 +9,11 @@ import pytest
 import synthetic_result
 from synthetic_result import parsed
 
+from certkit.documents.result import Result
 from certkit.errors import UsageError
-from certkit.grading.result import Result
+from certkit.exchange.channels_csv import channels_csv
 from certkit.reporting import render, render_suite
 from certkit.reporting.junit import junit
-from certkit.reporting.machine import channels_csv
 from certkit.reporting.markdown import github_annotations, summary
 
 

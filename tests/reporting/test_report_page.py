@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 import synthetic_result
 
-from certkit.grading.result import Result
-from certkit.reporting.page import page, suite_page
-from certkit.reporting.payload import differences, payload
+from certkit.documents.result import Result
+from certkit.reporting.html_report import page, suite_page
+from certkit.reporting.page_data import differences, payload
 
 
 def embedded(html: str) -> list[dict[str, Any]]:

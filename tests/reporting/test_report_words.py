@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from certkit.grading.result import CriterionResult, Result
-from certkit.reporting import words
-from certkit.reporting.worst import margin_words, nearest_words, relative_margin, tally, worst
+from certkit.documents.result import CriterionResult, Result
+from certkit.reporting import number_format as words
+from certkit.reporting.margins import margin_words, nearest_words, relative_margin, tally, worst
 
 
 def criterion(**changes: object) -> CriterionResult:

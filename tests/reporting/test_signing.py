@@ -8,7 +8,7 @@ import pytest
 import synthetic_result
 
 from certkit.errors import InputError
-from certkit.reporting.certificate import certificate
+from certkit.reporting.pdf_certificate import certificate
 from certkit.reporting.signing import sign
 
 if TYPE_CHECKING:

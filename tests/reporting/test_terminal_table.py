@@ -4,8 +4,8 @@ import io
 
 import pytest
 
-from certkit.grading.result import CriterionResult, Result
-from certkit.reporting.terminal import bar, show
+from certkit.documents.result import CriterionResult, Result
+from certkit.reporting.text_table import bar, show
 
 
 def row(value: float, lower: float | None = 90.0, upper: float | None = 111.0) -> CriterionResult:

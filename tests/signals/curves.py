@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from certkit.definitions.vocabulary import CHANNELS
+from certkit.definitions.channels import CHANNELS
 from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from certkit.definitions.fit import Fit
-from certkit.definitions.library import load
+from certkit.definitions.calibration import Fit
+from certkit.definitions.loading.library import load
 from certkit.errors import UsageError
-from certkit.studies.calibration.carry import carry_and_write
 from certkit.studies.calibration.fit import make_ready
-from certkit.studies.calibration.kin import passes
-from certkit.studies.calibration.knowledge import LEARNT, knowledge
-from certkit.studies.calibration.space import Axis, Space
+from certkit.studies.calibration.identifiability import LEARNT, knowledge
+from certkit.studies.calibration.leg_family import passes
+from certkit.studies.calibration.parameter_space import Axis, Space
+from certkit.studies.calibration.run_calibration import carry_and_write
 from certkit.studies.points import Outcome
 
 if TYPE_CHECKING:

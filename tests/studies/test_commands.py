@@ -118,7 +118,7 @@ def test_ctrl_c_says_that_the_same_command_goes_on(
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("certkit.studies.carry.study", interrupted)
+    monkeypatch.setattr("certkit.studies.run_study.study", interrupted)
     result = CliRunner().invoke(app, ["study", str(sheet), "--out", str(tmp_path / "out")])
     assert result.exit_code == 130
     assert "the same command goes on" in result.stderr

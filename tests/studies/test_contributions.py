@@ -12,10 +12,10 @@ import toys
 from certkit.definitions.study import Study
 from certkit.errors import RunError
 from certkit.studies.factors import Factor, Uniform
-from certkit.studies.pages import study_page
 from certkit.studies.runs import Runs
 from certkit.studies.scatter import chances
-from certkit.studies.study import Findings, carry_out
+from certkit.studies.study_findings import Findings, carry_out
+from certkit.studies.study_pages import study_page
 
 AB = [Factor("a", "mm", Uniform(0.0, 2.0), 1.0), Factor("b", "kg", Uniform(-1.0, 3.0), 1.0)]
 XYZ = [Factor(f"x{i}", "", Uniform(-math.pi, math.pi)) for i in (1, 2, 3)]

@@ -10,8 +10,8 @@ from certkit.definitions.study import Study
 from certkit.errors import RunError, UsageError
 from certkit.studies.factors import Factor, Normal, Uniform
 from certkit.studies.optimise import Limit, Optimum, limits_of, optimise
-from certkit.studies.pages import optimum_page
 from certkit.studies.runs import Runs
+from certkit.studies.study_pages import optimum_page
 from certkit.studies.trial import Trial
 
 AB = [Factor("a", "mm", Uniform(0.0, 10.0), 1.0), Factor("b", "", Uniform(0.0, 10.0), 1.0)]

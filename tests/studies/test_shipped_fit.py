@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.studies.calibration.fit import Task, make_ready
-from certkit.studies.calibration.kin import passes
-from certkit.studies.calibration.knowledge import knowledge
+from certkit.studies.calibration.identifiability import knowledge
+from certkit.studies.calibration.leg_family import passes
 from certkit.studies.calibration.search import Misfit, downhill
 from certkit.studies.points import Outcome, Outputs
 from certkit.studies.runs import Runs

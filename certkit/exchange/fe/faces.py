@@ -10,7 +10,7 @@ import numpy as np
 
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes
-from certkit.exchange.fe.table import read_cells
+from certkit.exchange.fe.numeric_table import read_cells
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

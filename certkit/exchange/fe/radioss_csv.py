@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import require_time_axis
+from certkit.exchange.fe.numeric_table import read_table
 from certkit.exchange.fe.radioss import Channels
-from certkit.exchange.fe.table import read_table
 
 if TYPE_CHECKING:
     from pathlib import Path

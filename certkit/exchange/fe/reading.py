@@ -16,7 +16,7 @@ from certkit.exchange.fe.radioss_native import read_native
 from certkit.exchange.fe.tidy import read_tidy
 
 if TYPE_CHECKING:
-    from certkit.definitions.case import Histories
+    from certkit.definitions.extraction_case import Histories
 
 
 @dataclass(frozen=True)

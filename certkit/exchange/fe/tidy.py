@@ -9,7 +9,7 @@ import numpy as np
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import require_time_axis
 from certkit.exchange.fe.histories import ContactHistory, PartHistories, PartHistory, SpringHistory, match_one
-from certkit.exchange.fe.table import Table, read_table
+from certkit.exchange.fe.numeric_table import Table, read_table
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.definitions.case import Histories, PartColumns
+    from certkit.definitions.extraction_case import Histories, PartColumns
 
     Values = NDArray[np.float64]
 

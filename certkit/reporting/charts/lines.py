@@ -7,12 +7,12 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
-from certkit.reporting.charts.frame import Frame
+from certkit.reporting.charts.axes import Frame
 from certkit.reporting.scales import span, traced
 from certkit.reporting.svg import label, path, picture, tag
 
 if TYPE_CHECKING:
-    from certkit.grading.result import Histories
+    from certkit.documents.result import Histories
 
 Line = tuple[str, Sequence[float], Sequence[float]]
 """Name, abscissae, ordinates."""

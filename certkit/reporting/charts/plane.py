@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
-from certkit.reporting.charts.frame import Frame
+from certkit.reporting.charts.axes import Frame
 from certkit.reporting.scales import span
 from certkit.reporting.svg import label, path, picture, tag
 
 if TYPE_CHECKING:
-    from certkit.grading.result import CurveInPlane
+    from certkit.documents.result import CurveInPlane
 
 
 def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: float = 240) -> str:

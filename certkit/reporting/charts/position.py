@@ -6,12 +6,12 @@ import math
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
+from certkit.reporting.number_format import corridor, fixed
 from certkit.reporting.scales import Scale
 from certkit.reporting.svg import path, picture, tag
-from certkit.reporting.words import corridor, fixed
 
 if TYPE_CHECKING:
-    from certkit.grading.result import CriterionResult
+    from certkit.documents.result import CriterionResult
 
 WIDTH, HEIGHT = 148.0, 26.0
 _MIDDLE = HEIGHT / 2 + 2

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
-from certkit.reporting.charts.history import limits_of, peak_of, times
+from certkit.reporting.charts.channel_history import limits_of, peak_of, times
 from certkit.reporting.scales import Scale, span, thinned
 from certkit.reporting.svg import path, picture, tag
 
 if TYPE_CHECKING:
-    from certkit.grading.result import CriterionResult, Result
+    from certkit.documents.result import CriterionResult, Result
 
 WIDTH, HEIGHT = 132.0, 34.0
 

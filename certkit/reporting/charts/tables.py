@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.position import HEIGHT, position_bar
+from certkit.reporting.number_format import SIGNS, corridor, criterion_decimals, fixed, named, shown
 from certkit.reporting.svg import label, number, picture, tag
-from certkit.reporting.words import SIGNS, corridor, criterion_decimals, fixed, named, shown
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.grading.result import Comparison, Result
+    from certkit.documents.result import Comparison, Result
 
 ROW = 30.0
 

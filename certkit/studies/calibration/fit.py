@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.fit import Fit
-from certkit.definitions.library import load
+from certkit.definitions.calibration import Fit
+from certkit.definitions.loading.library import load
 from certkit.errors import RunError
-from certkit.studies.calibration.knowledge import Knowledge, knowledge
+from certkit.studies.calibration.identifiability import Knowledge, knowledge
+from certkit.studies.calibration.parameter_space import Space, space_of
 from certkit.studies.calibration.search import Misfit, downhill, everywhere
-from certkit.studies.calibration.space import Space, space_of
 from certkit.studies.calibration.targets import Goal, goals_of
 from certkit.studies.runs import Runs
 from certkit.studies.trial import Trial

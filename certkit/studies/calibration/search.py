@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.definitions.fit import Search
-    from certkit.studies.calibration.space import Space
+    from certkit.definitions.calibration import Search
+    from certkit.studies.calibration.parameter_space import Space
     from certkit.studies.calibration.targets import Goal
     from certkit.studies.runs import Runs
 

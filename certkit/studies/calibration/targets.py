@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.corridor import Window
-from certkit.definitions.vocabulary import channel_kind
+from certkit.definitions.channels import channel_kind
+from certkit.definitions.corridor_set import Window
 from certkit.errors import UsageError
 from certkit.grading.corridors import Corridor, find_corridor, limits
 from certkit.studies.quantity import share, split_quantity
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.bench.setup import Setup
-    from certkit.definitions.fit import Target
+    from certkit.definitions.calibration import Target
     from certkit.definitions.procedure import Criterion
-    from certkit.studies.calibration.space import Space
+    from certkit.studies.calibration.parameter_space import Space
     from certkit.studies.points import Outcome, Point
 
 FAILED = 20.0

@@ -6,13 +6,13 @@ import math
 from typing import TYPE_CHECKING
 
 from certkit import bench
-from certkit.definitions.library import names
+from certkit.definitions.loading.library import names
 from docs.make.markdown import figure, table
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from certkit.grading.result import CriterionResult, Result
+    from certkit.documents.result import CriterionResult, Result
 
 CERTIFYING = ("pendulum", "inverse")
 STEPS = (20.0, 10.0, 5.0, 2.5)

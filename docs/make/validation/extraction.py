@@ -7,16 +7,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit import bench
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.definitions.shipped import shipped_root
-from certkit.identification import extract
+from certkit.identification.five_steps import extract
 from docs.make.markdown import figure, signed, table
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from certkit.grading.comparison_document import Overlay
-    from certkit.grading.result import Comparison, Result
+    from certkit.documents.comparison import Overlay
+    from certkit.documents.result import Comparison, Result
     from certkit.identification import ExtractionResult
 
 CASES = ("bumper-reference", "bumper-compliant-beam", "bumper-rate-dependent-foam", "bumper-local-crush")

@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit import bench
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from docs.make.markdown import figure, signed, table
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from certkit.grading.result import Comparison, Result
+    from certkit.documents.result import Comparison, Result
 
 TABLE_1 = "inverse-seed"
 FLESH = "specimen.flesh=fitted"

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.errors import DataError, DefinitionError, InputError
 from certkit.exchange.fe import data_folder
-from certkit.identification import extract
+from certkit.identification.five_steps import extract
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from certkit.definitions.library import load
+from certkit.definitions.loading.library import load
 from certkit.errors import DataError
 from certkit.exchange.fe import parse_units, read_case_data
 from certkit.exchange.fe.radioss import impulse_of_differences, part_histories

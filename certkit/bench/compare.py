@@ -1,0 +1,98 @@
+"""`compare`: two results, two recordings, or one of each."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.bench.regrade import embedded_shelf
+from certkit.bench.sources import Source, load_source
+from certkit.definitions.loading.library import load
+from certkit.documents.comparison import Side
+from certkit.grading.compare_tests import Test, side_by_side
+from certkit.signals import condition
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from certkit.definitions.channel_mapping import Mapping
+    from certkit.definitions.loading.library import Library
+    from certkit.definitions.procedure import Procedure
+    from certkit.documents.comparison import ComparisonDocument
+
+
+def compare(
+    a: Path,
+    b: Path,
+    *,
+    procedure: str | Path | None = None,
+    mapping: Mapping | None = None,
+    lenient: bool = False,
+    library: Library = (),
+    until: float | None = None,
+) -> ComparisonDocument:
+    """Compare two tests.
+
+    A is the reference, unless it was simulated and B measured: then the measured one is, as in the
+    paper's Table 1.
+
+    Parameters
+    ----------
+    a, b : Path
+        `result.json`, the folder of a run, or measured data.
+    procedure : str or Path, optional
+        By which measured data are conditioned (offsets, time zero); the one of a result when missing.
+    mapping : Mapping, optional
+        For measured data.
+    lenient : bool
+        Likewise.
+    library : sequence of Path
+        Folders with own definitions.
+    until : float, optional
+        End of the comparison, s after contact.
+
+    Raises
+    ------
+    DataError
+        When a source cannot be read, or they share nothing.
+    """
+    first, second = (load_source(path, mapping, lenient=lenient) for path in (a, b))
+    sheet = _procedure(procedure, (first, second), library)
+    if first.recording.kind == "simulated" and second.recording.kind == "measured":
+        first, second = second, first
+    labels = _labels(first, second)
+    return side_by_side(
+        _test(first, labels[0], sheet, lenient=lenient),
+        _test(second, labels[1], sheet, lenient=lenient),
+        until=until,
+    )
+
+
+def _procedure(named: str | Path | None, sources: tuple[Source, ...], library: Library) -> Procedure | None:
+    """Return the procedure that is named, else the one that a result carries."""
+    if named is not None:
+        return load("procedure", named, library=library).document
+    for result in (source.result for source in sources if source.result):
+        return load("procedure", result.procedure, library=(*library, embedded_shelf(result))).document
+    return None
+
+
+def _test(source: Source, label: str, sheet: Procedure | None, *, lenient: bool) -> Test:
+    recording, result = source.recording, source.result
+    if sheet is not None:
+        recording = condition(recording, sheet, lenient=lenient)
+    side = Side(
+        label=label,
+        kind=recording.kind,
+        title=result.title if result else "",
+        procedure=result.procedure if result else "",
+        verdict=result.verdict if result else None,
+        id=result.id if result else "",
+    )
+    return Test(side, recording, result)
+
+
+def _labels(first: Source, second: Source) -> tuple[str, str]:
+    """Tell two sources of the same name apart."""
+    if first.label != second.label:
+        return first.label, second.label
+    return f"{first.label} (A)", f"{second.label} (B)"

@@ -1,0 +1,123 @@
+"""`grade`: read a measured test, put its laboratory's words beside it, and grade it like a simulated one."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from certkit.bench.laboratory_terms import NO_LABORATORY, merged_conditions, read_laboratory
+from certkit.bench.recognise import recognised
+from certkit.bench.setup import Setup, prepare
+from certkit.definitions.channel_mapping import Mapping
+from certkit.definitions.loading.validation import read_bytes, validate
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.documents.result import InputFile
+from certkit.exchange.measured import Measured, SourceFile
+from certkit.exchange.read import read_recording
+from certkit.grading import evaluate
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from certkit.definitions.loading.library import Library
+    from certkit.documents.result import Result
+
+# The model plays no part where the leg was a real one.
+_OF_THE_MODEL = ("legform", "vehicle")
+
+
+def grade(
+    procedure: str | Path,
+    data: Path,
+    *,
+    laboratory: Path | None = None,
+    mapping: Path | None = None,
+    lenient: bool = False,
+    library: Library = (),
+    overrides: Sequence[str] = (),
+) -> Result:
+    """Grade a recorded test: a test evaluation, or a virtual certification when the recording was simulated.
+
+    Parameters
+    ----------
+    procedure : str or Path
+        Name that the library knows, or a file.
+    data : Path
+        ISO-MME folder, archive or `.mme` file, CSV file, or the folder of a run with its `channels.csv`.
+    laboratory : Path, optional
+        `lab.yaml`: header, sensors, decision rule, uncertainties, conditions.
+    mapping : Path, optional
+        The laboratory's columns, codes, signs and conditions.
+    lenient : bool
+        List assumptions instead of stopping at departures.
+    library : sequence of Path
+        Folders with own definitions, searched first.
+    overrides : sequence of str
+        `path=value` changes of the procedure.
+
+    Raises
+    ------
+    DefinitionError, UsageError
+        When a definition cannot be used.
+    DataError
+        When the data cannot.
+    """
+    setup = _without_model(prepare(procedure, library=library, overrides=overrides))
+    own, mapping_input = _mapping(mapping)
+    if (data / "result.json").is_file():
+        data = data / "channels.csv"  # the folder of a run
+    read = _recognised(data) if mapping is None else None
+    read = read or read_recording(data, own, lenient=lenient)
+    lab = read_laboratory(laboratory) if laboratory else NO_LABORATORY
+    conditions = merged_conditions(read.recording.conditions, lab.conditions)
+    files = (
+        InputFile(role="recording", path=_shown(data, file.name), sha256=file.sha256) for file in read.files
+    )
+    return evaluate(
+        setup.procedure,
+        setup.corridors,
+        replace(read.recording, conditions=conditions),
+        provenance=setup.provenance(*files, *mapping_input, *lab.inputs),
+        reference=setup.reference,
+        parameters=setup.parameters,
+        specimen=lab.specimen,
+        laboratory=lab.header,
+        checks=lab.checks,
+        decision=lab.decision,
+        uncertainties=lab.uncertainties,
+        notes=[f"{words}: {value}" for words, value in read.header.items()],
+        lenient=lenient,
+    )
+
+
+def _without_model(setup: Setup) -> Setup:
+    """Leave out the numbers of the simulated leg and car."""
+    return replace(
+        setup,
+        inputs=tuple(item for item in setup.inputs if item.role not in _OF_THE_MODEL),
+        parameters=tuple(p for p in setup.parameters if not p.path.startswith(_OF_THE_MODEL)),
+    )
+
+
+def _mapping(path: Path | None) -> tuple[Mapping | None, list[InputFile]]:
+    if path is None:
+        return None, []
+    data = read_bytes(path)
+    mapping = validate(read_tree(data, str(path)), Mapping)
+    digest = hashlib.sha256(data).hexdigest()
+    return mapping, [InputFile(role="mapping", path=path.name, sha256=digest, text=data.decode("utf-8-sig"))]
+
+
+def _recognised(path: Path) -> Measured | None:
+    recording = recognised(path)
+    if recording is None:
+        return None
+    source = SourceFile(path.name, hashlib.sha256(path.read_bytes()).hexdigest())
+    return Measured(recording, (source,))
+
+
+def _shown(data: Path, name: str) -> str:
+    """Name a file without the folders above the test."""
+    return f"{data.name}/{name}" if data.is_dir() or data.suffix.lower() == ".zip" else name

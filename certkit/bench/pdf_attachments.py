@@ -1,0 +1,94 @@
+"""The files that a certificate's PDF carries, and the list of their hashes."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING, Any
+
+from certkit.errors import DataError
+from certkit.exchange.container import read_bounded
+from certkit.reporting.attachments import MANIFEST, SCHEMA
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    from certkit.reporting.pdf_certificate import Paper
+
+MOST = 500
+"""Attachments; a suite of seven procedures has about fifty."""
+A4_WIDTH = 595.3
+"""Points; Letter is 612 wide."""
+
+
+@dataclass(frozen=True)
+class Attached:
+    """What is attached: bytes by name, the hashes of the manifest by name, and how the pages were made."""
+
+    files: Mapping[str, bytes]
+    listed: Mapping[str, str]
+    paper: Paper
+    created: datetime | None
+
+
+def attachments_of(path: Path) -> Attached:
+    """Read the attachments of a PDF. Nothing in it is shown or run.
+
+    Raises
+    ------
+    DataError
+        When it is no PDF, is damaged, or carries no manifest.
+    """
+    paper, created, found = _opened(path)
+    files = dict(found)
+    if len(files) != len(found):
+        raise DataError(f"{path}: two attachments of one name; only certificates as made can be verified")
+    if MANIFEST not in files:
+        raise DataError(
+            f"{path}: carries no {MANIFEST}; only certificates that certkit wrote can be verified"
+        )
+    manifest = files.pop(MANIFEST)
+    try:
+        listed: Any = json.loads(manifest)
+        if listed["schema"] != SCHEMA:
+            raise DataError(
+                f"{path}: {MANIFEST} has the schema {listed['schema']!r}; this certkit knows {SCHEMA}"
+            )
+        hashes = {str(item["name"]): str(item["sha256"]) for item in listed["attachments"]}
+    except (ValueError, KeyError, TypeError) as error:
+        raise DataError(
+            f"{path}: {MANIFEST} is damaged; the certificate was changed since it was made"
+        ) from error
+    return Attached(files, hashes, paper, created)
+
+
+def _opened(path: Path) -> tuple[Paper, datetime | None, list[tuple[str, bytes]]]:
+    """Open the PDF with PDFium, which is made for files that nobody vouches for."""
+    import pypdfium2  # noqa: PLC0415  # only where a PDF is verified
+
+    content = read_bounded(path)
+    try:
+        document: Any = pypdfium2.PdfDocument(content)
+        try:
+            count = document.count_attachments()
+            if count > MOST:
+                raise DataError(f"{path}: {count} attachments; this is no certificate of certkit")
+            width = document[0].get_size()[0]
+            attached = [document.get_attachment(index) for index in range(count)]
+            created = _date(document.get_metadata_dict().get("CreationDate", ""))
+            found = [(each.get_name(), bytes(each.get_data())) for each in attached]
+        finally:
+            document.close()
+    except pypdfium2.PdfiumError as error:
+        raise DataError(f"{path}: not a whole PDF ({error}); take the file as it was handed over") from error
+    return ("A4" if abs(width - A4_WIDTH) < 1 else "Letter"), created, found
+
+
+def _date(words: str) -> datetime | None:
+    """Read `D:20260305000000Z`, as WeasyPrint writes it; None for anything else."""
+    try:
+        return datetime.strptime(words, "D:%Y%m%d%H%M%SZ").replace(tzinfo=UTC)
+    except ValueError:
+        return None

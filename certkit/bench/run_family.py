@@ -1,0 +1,57 @@
+"""`run_family`: the same procedure over every leg of a certified family."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.bench.run_simulation import run
+from certkit.definitions.loading.library import load
+from certkit.grading import with_spread
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from pathlib import Path
+
+    from certkit.definitions.loading.library import Library
+    from certkit.documents.result import Result
+
+
+def run_family(
+    procedure: str | Path,
+    *,
+    library: Library = (),
+    overrides: Sequence[str] = (),
+    family: str | Path | None = None,
+    step: Callable[[str], None] | None = None,
+) -> Result:
+    """Run a procedure with the nominal leg and with every member of its family.
+
+    Parameters
+    ----------
+    procedure, library, overrides
+        As for `run`.
+    family : str or Path, optional
+        Name or file of the family; the one named like the procedure's legform when not given.
+    step : callable, optional
+        Called with each member's id before it runs, for progress.
+
+    Returns
+    -------
+    Result
+        The nominal leg's, each criterion with its spread over the certified legs.
+    """
+    nominal = run(procedure, library=library, overrides=overrides)
+    kin = load("family", family or _legform_of(procedure, library, overrides), library=library).document
+    results = [nominal]
+    for member in kin.members:
+        if step is not None:
+            step(member.id)
+        own = [f"legform.{path}={value}" for path, value in member.values.items()]
+        results.append(run(procedure, library=library, overrides=[*own, *overrides], refine=False))
+    return with_spread(results)
+
+
+def _legform_of(procedure: str | Path, library: Library, overrides: Sequence[str]) -> str:
+    from certkit.bench.setup import prepare  # noqa: PLC0415  # beside its only use
+
+    return prepare(procedure, library=library, overrides=overrides).legform.legform

@@ -1,0 +1,141 @@
+"""What commands that grade have in common: arguments checked, progress, the verdict table, the exit code."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from certkit.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    from certkit.documents.result import Result, Verdict
+    from certkit.errors import CertkitError
+
+ALLOWED: dict[str, Verdict] = {"not-evaluated": "not evaluated"}
+
+
+def formats(words: str) -> list[str]:
+    """Split `html,pdf` and check each; see `certkit.reporting.writing`."""
+    from certkit.reporting.writing import checked  # noqa: PLC0415  # not on the path of `--help`
+
+    return checked([word.strip() for word in words.split(",") if word.strip()])
+
+
+def allowed(words: Sequence[str] | None) -> list[Verdict]:
+    """Turn `--allow not-evaluated` into verdicts."""
+    for word in words or ():
+        if word not in ALLOWED:
+            raise UsageError(f"`--allow {word}`: only `not-evaluated` can be allowed")
+    return [ALLOWED[word] for word in words or ()]
+
+
+def procedures(named: Sequence[str] | None, *, every: bool, library: Sequence[Path]) -> list[str]:
+    """Return the procedures to run: those named, or all that the library knows."""
+    from certkit.definitions.loading.library import names  # noqa: PLC0415  # not on the path of `--help`
+
+    if every:
+        if named:
+            raise UsageError("`--all` and `--procedure` exclude each other; leave one out")
+        return names("procedure", library)
+    if not named:
+        known = ", ".join(names("procedure", library))
+        raise UsageError(f"which procedure? name one with --procedure, or use --all; there are {known}")
+    return list(dict.fromkeys(named))
+
+
+@contextlib.contextmanager
+def progress(total: int, *, quiet: bool) -> Iterator[Callable[[str], None]]:
+    """Show what is being done and how long it may still take, on standard error, where somebody watches."""
+    if quiet or not sys.stderr.isatty():
+        yield lambda _: None
+        return
+    from rich.console import Console  # noqa: PLC0415  # 60 ms that pipes need not pay
+    from rich.progress import (  # noqa: PLC0415  # likewise
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        SpinnerColumn,
+        TextColumn,
+        TimeRemainingColumn,
+    )
+
+    columns = (
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=Console(stderr=True), transient=True) as shown:
+        task = shown.add_task("", total=total)
+        begun = 0
+
+        def step(what: str) -> None:
+            nonlocal begun
+            shown.update(task, completed=begun, description=what)
+            begun += 1
+
+        yield step
+
+
+def folder(out: Path | None, name: str, *, several: bool) -> Path:
+    """Return where one result goes: `--out`, a folder in it when there are several, or `runs/NAME`."""
+    if out is None:
+        return Path("runs") / name
+    return out / name if several else out
+
+
+def tell_files(written: Sequence[Path]) -> None:
+    """Name the files that were written."""
+    for path in written:
+        typer.echo(f"wrote {path}", err=True)
+
+
+def show(results: Sequence[Result], *, as_json: bool, folder: Path) -> None:
+    """Print the verdict tables, or the document alone; tell the CI service beside them."""
+    from certkit.grading import to_json  # noqa: PLC0415  # not on the path of `--help`
+
+    if not results:
+        return
+    if as_json:
+        texts = [to_json(result) for result in results]
+        text = (
+            texts[0]
+            if len(texts) == 1
+            else json.dumps([json.loads(t) for t in texts], ensure_ascii=False) + "\n"
+        )
+        typer.echo(text, nl=False)
+        return
+    from certkit.reporting import text_table as terminal  # noqa: PLC0415  # likewise
+
+    terminal.show(results)
+    page = next((page for page in (folder / "index.html", folder / "report.html") if page.exists()), folder)
+    typer.echo(f"look at {page}", err=True)
+    if os.environ.get("GITHUB_ACTIONS") == "true":
+        from certkit.reporting.markdown import github_annotations  # noqa: PLC0415  # only there
+
+        for line in github_annotations(results):
+            typer.echo(line)
+
+
+def exit_code(
+    results: Sequence[Result], permitted: Sequence[Verdict], failures: Sequence[CertkitError] = ()
+) -> int:
+    """Tell of what failed, and return the contract's exit code: the worst, in the order 3, 2, 1, 4, 0."""
+    from certkit.grading import exit_code as code  # noqa: PLC0415  # not on the path of `--help`
+
+    for failure in failures:
+        for line in str(failure).splitlines():
+            typer.echo(f"error: {line}", err=True)
+    codes = {failure.exit_code for failure in failures}
+    if results:
+        codes.add(code(results, permitted))
+    return next(worst for worst in (3, 2, 1, 4, 0) if worst in codes)

@@ -1,0 +1,32 @@
+"""`certkit export`: write a recording as ISO-MME or CSV."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+Source = Annotated[
+    Path, typer.Argument(metavar="SOURCE", help="result.json, the folder of a run, or measured data.")
+]
+Target = Annotated[
+    Path,
+    typer.Argument(metavar="TARGET", help="A new folder or a .zip: ISO-MME; a .csv: channels as a table."),
+]
+MappingFile = Annotated[
+    Path | None, typer.Option("--mapping", metavar="MAP.yaml", help="Own ISO-MME channel codes.")
+]
+
+
+def export(source: Source, target: Target, *, mapping: MappingFile = None) -> None:
+    """Write the channels of a run or a test as ISO-MME (ISO/TS 13499) or CSV.
+
+    `certkit export runs/pendulum pendulum.zip` writes an archive that `certkit grade` and other tools read.
+    """
+    from certkit.bench.export import export as write  # noqa: PLC0415  # numpy waits until it is needed
+    from certkit.definitions.channel_mapping import Mapping  # noqa: PLC0415  # likewise
+    from certkit.definitions.loading.validation import read_document  # noqa: PLC0415  # likewise
+
+    write(source, target, mapping=read_document(mapping, Mapping) if mapping else None)
+    typer.echo(f"wrote {target}", err=True)

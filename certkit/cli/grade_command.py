@@ -1,0 +1,89 @@
+"""`certkit grade`: grade a measured test with the procedure that a simulated one is graded with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from certkit.cli import options
+
+Data = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar="DATA",
+        help="ISO-MME folder, .zip or .mme file, or a CSV file. Several are graded one by one.",
+    ),
+]
+Procedure = Annotated[
+    str, typer.Option("--procedure", "-p", metavar="NAME|FILE", help="Procedure that the test followed.")
+]
+Laboratory = Annotated[
+    Path | None,
+    typer.Option(
+        "--lab",
+        metavar="LAB.yaml",
+        help="Laboratory, item, sensors, decision rule, uncertainties, conditions.",
+    ),
+]
+MappingFile = Annotated[
+    Path | None,
+    typer.Option("--mapping", metavar="MAP.yaml", help="Own columns, channel codes, signs and conditions."),
+]
+Lenient = Annotated[
+    bool, typer.Option("--lenient", help="List assumptions in the report instead of refusing damaged data.")
+]
+GradeOut = Annotated[
+    Path | None, typer.Option("--out", help="Folder for the results.", show_default="runs/NAME of the data")
+]
+
+
+def grade(
+    data: Data,
+    *,
+    procedure: Procedure,
+    lab: Laboratory = None,
+    mapping: MappingFile = None,
+    lenient: Lenient = False,
+    out: GradeOut = None,
+    formats: options.Formats = options.DEFAULT_FORMATS,
+    overrides: options.Overrides = None,
+    library: options.Libraries = None,
+    allow: options.Allow = None,
+    as_json: options.AsJson = False,
+    quiet: options.Quiet = False,
+    verbose: options.Verbose = False,
+) -> None:
+    """Grade a measured test and write its report.
+
+    `certkit grade --procedure pendulum DATA --lab lab.yaml` checks the preconditions first, then conditions,
+    filters and measures the channels as it does for a simulated test. The exit code is the verdict's.
+    """
+    from certkit import bench  # noqa: PLC0415  # numpy and pydantic wait until a test is graded
+    from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
+
+    wanted = terminal.formats(formats)
+    permitted = terminal.allowed(allow)
+    several = len(data) > 1
+    folder = out or Path("runs")
+    results = []
+    with terminal.progress(len(data), quiet=quiet or as_json) as step:
+        for path in data:
+            step(path.name)
+            result = bench.grade(
+                procedure,
+                path,
+                laboratory=lab,
+                mapping=mapping,
+                lenient=lenient,
+                library=tuple(library or ()),
+                overrides=tuple(overrides or ()),
+            )
+            place = folder / path.stem if several or out is None else folder
+            written = bench.save(result, place, wanted)
+            results.append(result)
+            if verbose:
+                terminal.tell_files(written)
+    terminal.show(results, as_json=as_json, folder=folder if several or out else place)
+    raise typer.Exit(terminal.exit_code(results, permitted))

@@ -1,0 +1,109 @@
+"""`certkit history`: the logbook of each legform."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+
+if TYPE_CHECKING:
+    from datetime import date
+
+app = typer.Typer(
+    no_args_is_help=True,
+    help=(
+        "Keep a logbook by serial number: tests done, validity left and why, trend of each channel.\n\n"
+        "Documents are kept in `logbook/results`; the database beside them is only an index."
+    ),
+)
+
+Folder = Annotated[Path, typer.Option("--logbook", metavar="DIR", help="Folder of the logbook.")]
+Documents = Annotated[
+    list[Path],
+    typer.Argument(metavar="RESULT", help="result.json of a graded test, or the folder of its run."),
+]
+DEFAULT = Path("logbook")
+
+
+@app.command("add")
+def add(documents: Documents, *, logbook: Folder = DEFAULT) -> None:
+    """Put graded tests into the logbook; those that it has already are left alone."""
+    from certkit.logbook.logbook_store import Logbook  # noqa: PLC0415  # sqlite waits until it is needed
+    from certkit.logbook.logbook_store import add as put  # noqa: PLC0415  # likewise
+
+    new, known = put(Logbook(logbook), documents)
+    for entry in new:
+        typer.echo(f"{entry.day} {entry.serial} {entry.procedure} {entry.verdict} {entry.id}")
+    if known:
+        typer.echo(f"{len(known)} already in the logbook", err=True)
+
+
+@app.command("show")
+def show(
+    serial: Annotated[
+        list[str] | None, typer.Argument(metavar="SERIAL", help="Legforms; all when none is named.")
+    ] = None,
+    *,
+    logbook: Folder = DEFAULT,
+    rules: Annotated[
+        Path | None, typer.Option("--rules", metavar="RULES.yaml", help="Own rules of validity.")
+    ] = None,
+    on: Annotated[
+        str | None,
+        typer.Option(
+            "--on", metavar="DAY", help="Day of interest: 2026-03-31 or today; else that of the last test."
+        ),
+    ] = None,
+    html: Annotated[
+        Path | None, typer.Option("--html", metavar="FILE", help="Write the page with pictures.")
+    ] = None,
+    as_json: options.AsJson = False,
+) -> None:
+    """Show what is known of a legform: text, JSON or a page. Exit code 1 when a certification is due."""
+    from certkit.definitions.loading.validation import read_document  # noqa: PLC0415  # likewise
+    from certkit.definitions.logbook_rules import LogbookRules  # noqa: PLC0415  # pydantic waits until it is needed
+    from certkit.documents.logbook_overview import overview_json  # noqa: PLC0415  # likewise
+    from certkit.files import write_whole  # noqa: PLC0415  # likewise
+    from certkit.logbook.logbook_store import Logbook  # noqa: PLC0415  # likewise
+    from certkit.logbook.overview import overview  # noqa: PLC0415  # likewise
+    from certkit.reporting.logbook_page import logbook_page  # noqa: PLC0415  # likewise
+    from certkit.reporting.logbook_text import overview_text  # noqa: PLC0415  # likewise
+
+    own = read_document(rules, LogbookRules) if rules else None
+    book, day = Logbook(logbook), _day(on)
+    legs = [overview(book, each, rules=own, day=day) for each in serial or book.serials()]
+    if html:
+        write_whole(html, logbook_page(legs))
+        typer.echo(f"wrote {html}", err=True)
+    if as_json:
+        typer.echo(overview_json(legs), nl=False)
+    else:
+        typer.echo("\n\n\n".join(overview_text(leg) for leg in legs))
+    raise typer.Exit(0 if all(leg.state == "valid" for leg in legs) else 1)
+
+
+@app.command("rebuild")
+def rebuild(*, logbook: Folder = DEFAULT) -> None:
+    """Make the database again from the documents in the logbook's folder."""
+    from certkit.logbook.logbook_store import Logbook  # noqa: PLC0415  # sqlite waits until it is needed
+    from certkit.logbook.logbook_store import rebuild as build  # noqa: PLC0415  # likewise
+
+    typer.echo(f"{build(Logbook(logbook))} tests", err=True)
+
+
+def _day(text: str | None) -> date | None:
+    from datetime import UTC, date, datetime  # noqa: PLC0415  # only here
+
+    from certkit.errors import UsageError  # noqa: PLC0415  # likewise
+
+    if text is None:
+        return None
+    if text == "today":
+        return datetime.now(tz=UTC).astimezone().date()
+    try:
+        return date.fromisoformat(text)
+    except ValueError as error:
+        raise UsageError(f"`--on {text}` is no day; write it as 2026-03-31, or `today`") from error

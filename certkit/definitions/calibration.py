@@ -1,0 +1,115 @@
+"""The fit document: which numbers of a leg and its rigs are free, and what they are fitted to."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from certkit.definitions.base import Document
+
+
+class Prior(Document):
+    """What was known of a parameter before the fit: a pull towards `mean` with strength 1/`sd`."""
+
+    mean: str
+    sd: str
+
+
+class FitParameter(Document):
+    """A number that is free, with the bounds beyond which it would make no physical sense."""
+
+    path: Annotated[str, Field(description="`legform.…`, or a path in the rig of `procedure`.")]
+    procedure: Annotated[str | None, Field(description="The procedure whose rig it belongs to.")] = None
+    with_: Annotated[
+        list[str], Field(description="Paths that always take the same value, such as the LCL's.")
+    ] = []
+    opposite: Annotated[
+        list[str], Field(description="Paths that always take the value with the other sign.")
+    ] = []
+    lower: str
+    upper: str
+    scale: Annotated[
+        Literal["linear", "logarithmic"], Field(description="How steps are measured between the bounds.")
+    ] = "linear"
+    prior: Prior | None = None
+    reason: Annotated[str, Field(min_length=3, description="Why these bounds.")]
+
+    @property
+    def name(self) -> str:
+        """Return the path, with the procedure before it where there is one."""
+        return f"{self.procedure}/{self.path}" if self.procedure else self.path
+
+
+class Target(Document):
+    """A procedure and what its values should come to."""
+
+    procedure: str
+    to: Annotated[
+        Literal["corridors", "reference"],
+        Field(
+            description="Mid-points of the corridors, in half-widths, or the procedure's reference values."
+        ),
+    ] = "corridors"
+    criteria: Annotated[
+        list[str] | None, Field(description="Ids; all that are graded, or all in the reference, if missing.")
+    ] = None
+    tolerance: Annotated[str, Field(description="Deviation from a reference value that counts as 1.")] = "5 %"
+    weight: Annotated[float, Field(gt=0)] = 1.0
+
+
+class Search(Document):
+    """How the best values are looked for: everywhere first, then downhill."""
+
+    seed: Annotated[int, Field(ge=0)] = 1
+    start: Annotated[
+        Literal["definitions", "anywhere"],
+        Field(description="`definitions` begins around the values the legform has now."),
+    ] = "definitions"
+    population: Annotated[int, Field(ge=4, le=10_000)] = 24
+    generations: Annotated[int, Field(ge=0, le=100_000, description="Of the global search.")] = 100
+    pull: Annotated[
+        float,
+        Field(ge=0, le=1, description="Of every parameter without a prior to the middle of its bounds."),
+    ] = 0.2
+    steps: Annotated[int, Field(ge=0, le=1000, description="Of the least squares after it, at most.")] = 30
+
+
+class FamilySearch(Document):
+    """How legs that pass as well are looked for."""
+
+    vary: Annotated[
+        list[str] | None, Field(description="Names of the parameters that differ; all of the legform's.")
+    ] = None
+    walkers: Annotated[int, Field(ge=4, le=10_000)] = 40
+    steps: Annotated[int, Field(ge=1, le=1_000_000)] = 100
+    seed: Annotated[int, Field(ge=0)] = 1
+
+
+class Fit(Document):
+    """A calibration: its result is a legform file whose numbers name this fit as their source."""
+
+    fit: Annotated[str, Field(description="Its name.")]
+    title: str
+    legform: Annotated[str, Field(description="The legform that is fitted: start, and everything fixed.")]
+    parameters: Annotated[list[FitParameter], Field(min_length=1, max_length=200)]
+    targets: Annotated[list[Target], Field(min_length=1, max_length=50)]
+    search: Search = Search()
+    family: FamilySearch = FamilySearch()
+    notes: list[str] = []
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Fit:
+        names = [parameter.name for parameter in self.parameters]
+        twice = sorted({name for name in names if names.count(name) > 1})
+        if twice:
+            raise ValueError(f"the parameter `{twice[0]}` stands here twice")
+        strangers = sorted(
+            {p.procedure for p in self.parameters if p.procedure} - {t.procedure for t in self.targets}
+        )
+        if strangers:
+            raise ValueError(f"`{strangers[0]}` has parameters but is no target of this fit")
+        unscoped = [p.path for p in self.parameters if not p.procedure and not p.path.startswith("legform.")]
+        if unscoped:
+            raise ValueError(f"`{unscoped[0]}` is no number of the legform; name its `procedure`")
+        return self

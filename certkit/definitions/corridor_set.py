@@ -1,0 +1,216 @@
+"""Corridor sets: what a value or curve has to stay within, and the limits and scores of vehicle tests."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from certkit.definitions.base import Document, Section, Sourced
+from certkit.definitions.loading.faults import Fault, Faults
+from certkit.definitions.polygon import crossing
+from certkit.definitions.units import alike, dimensions
+
+Point = tuple[str, str]
+
+
+class Entry(Sourced):
+    """One corridor, limit or score; its origin is its own, or the set's."""
+
+    note: Annotated[str | None, Field(description="What a reader of the verdict should know about it.")] = (
+        None
+    )
+
+
+class Window(Entry):
+    """A scalar corridor: `lower` ≤ value ≤ `upper`, in the channel's unit; either may be missing."""
+
+    lower: str | None = None
+    upper: str | None = None
+
+    @model_validator(mode="after")
+    def _has_order(self) -> Self:
+        if self.lower is None and self.upper is None:
+            raise Faults([((), "has neither `lower` nor `upper`; add at least one, with its unit")])
+        if faults := _order(("lower", self.lower), ("upper", self.upper)):
+            raise Faults(faults)
+        return self
+
+    def lines(self) -> dict[str, str]:
+        """Return `235 N·m to 272 N·m`, `at most 22 mm` or `at least 3 mm`."""
+        if self.lower is None or self.upper is None:
+            return {"": f"at most {self.upper}" if self.lower is None else f"at least {self.lower}"}
+        return {"": f"{self.lower} to {self.upper}"}
+
+
+class Polygon(Entry):
+    """A closed area in the plane of two channels that a curve must stay inside of; points are (x, y)."""
+
+    x: Annotated[str, Field(description="Channel of the abscissa.")]
+    y: Annotated[str, Field(description="Channel of the ordinate.")]
+    points: Annotated[list[Point], Field(min_length=3, max_length=10_000)]
+
+    @model_validator(mode="after")
+    def _is_simple(self) -> Self:
+        corners, faults = _line(self.points, "points")
+        hit = crossing(corners)
+        if hit is not None:
+            first, second = (index + 1 for index in hit)
+            message = (
+                f"the side from point {first} meets the side from point {second}; give the corners in turn"
+            )
+            faults = [(("points", hit[1]), message)]
+        if faults:
+            raise Faults(faults)
+        return self
+
+    def lines(self) -> dict[str, str]:
+        """Return what it consists of."""
+        return {"": f"polygon of {len(self.points)} points"}
+
+
+class Band(Entry):
+    """A corridor over time: lower and upper polylines of (time, value)."""
+
+    lower: Annotated[list[Point] | None, Field(min_length=2, max_length=10_000)] = None
+    upper: Annotated[list[Point] | None, Field(min_length=2, max_length=10_000)] = None
+
+    @model_validator(mode="after")
+    def _runs_forward(self) -> Self:
+        if self.lower is None and self.upper is None:
+            raise Faults([((), "has neither `lower` nor `upper`; add at least one list of (time, value)")])
+        faults: list[Fault] = []
+        for side, given in (("lower", self.lower), ("upper", self.upper)):
+            points = given or []
+            line, wrong = _line(points, side)
+            if points and "time" not in dimensions(points[0][0]):
+                wrong = [((side, 0, 0), f"`{points[0][0]}` is no time; points are pairs (time, value)")]
+            faults += wrong
+            faults += [
+                ((side, i + 1, 0), "the times of a band have to increase; this one does not")
+                for i, ((before, _), (after, _)) in enumerate(pairwise(line))
+                if not after > before
+            ]
+        if faults:
+            raise Faults(faults)
+        return self
+
+    def lines(self) -> dict[str, str]:
+        """Return what it consists of."""
+        return {
+            side: f"line of {len(points)} points"
+            for side in ("lower", "upper")
+            if (points := getattr(self, side))
+        }
+
+
+class Forfeit(Document):
+    """Criteria that take all points of a score away when any of them reaches a value."""
+
+    criteria: Annotated[list[str], Field(min_length=1)]
+    at: Annotated[str, Field(description="The value, with its unit; reaching it is enough.")]
+
+
+class Score(Entry):
+    """Points on a sliding scale: full points up to `full`, none from `zero` on, linear between."""
+
+    criteria: Annotated[list[str], Field(min_length=1, description="The worst of these criteria counts.")]
+    full: str
+    zero: str
+    points: Annotated[float, Field(gt=0)]
+    forfeit: Forfeit | None = None
+
+    @model_validator(mode="after")
+    def _has_order(self) -> Self:
+        faults = _order(("full", self.full), ("zero", self.zero))
+        if self.forfeit is not None:
+            faults += [(("forfeit", "at"), said) for _, said in alike([self.forfeit.at])[1]]
+        if faults:
+            raise Faults(faults)
+        return self
+
+    def lines(self) -> dict[str, str]:
+        """Return the scale and, where there is one, what forfeits the points."""
+        scale = {"": f"{self.points:g} points up to {self.full}, none from {self.zero} on"}
+        if self.forfeit is None:
+            return scale
+        return scale | {"forfeit": f"{' or '.join(self.forfeit.criteria)} at {self.forfeit.at}"}
+
+
+class CorridorSet(Section):
+    """Corridors of one procedure from one source. Entries inherit the set's `origin` unless they have one.
+
+    `awaited` names corridors that exist but that nobody could supply yet, with the reason: criteria that are
+    held against them are informative until a set of the same name, found earlier, has them.
+    """
+
+    corridors: Annotated[str, Field(description="Name of the set.")]
+    title: str
+    impactor: Annotated[Literal["Flex-PLI", "aPLI"], Field(description="The legform they are for.")] = (
+        "Flex-PLI"
+    )
+    windows: dict[str, Window] = {}
+    polygons: dict[str, Polygon] = {}
+    bands: dict[str, Band] = {}
+    scores: dict[str, Score] = {}
+    awaited: Annotated[dict[str, str], Field(description="Name: why it is not here yet.")] = {}
+    notes: list[str] = []
+
+    @model_validator(mode="after")
+    def _has_entries(self) -> Self:
+        groups = {name: getattr(self, name) for name in ("windows", "polygons", "bands", "scores", "awaited")}
+        if not any(groups.values()):
+            raise Faults(
+                [((), "holds no corridor; add `windows`, `polygons`, `bands`, `scores` or `awaited`")]
+            )
+        first: dict[str, str] = {}
+        faults: list[Fault] = []
+        for group, entries in groups.items():
+            for name in entries:
+                if first.setdefault(name, group) != group:
+                    message = f"`{name}` stands under `{first[name]}` already; names are unique in a set"
+                    faults.append(((group, name), message))
+        if faults:
+            raise Faults(faults)
+        return self
+
+    def entry(self, name: str) -> Window | Polygon | Band | None:
+        """Return the corridor of that name; None where it is awaited.
+
+        Raises
+        ------
+        KeyError
+            When the set does not know the name.
+        """
+        if name in self.awaited:
+            return None
+        if name in self.windows:
+            return self.windows[name]
+        if name in self.polygons:
+            return self.polygons[name]
+        return self.bands[name]
+
+    @property
+    def entries(self) -> list[str]:
+        """Names of all corridors, also of the awaited ones, without the scores."""
+        return [*self.windows, *self.polygons, *self.bands, *self.awaited]
+
+
+def _order(low: tuple[str, str | None], high: tuple[str, str | None]) -> list[Fault]:
+    """Return what is wrong with two (key, quantity) that should be alike and in order."""
+    given = [(key, text) for key, text in (low, high) if text is not None]
+    values, wrong = alike([text for _, text in given])
+    faults: list[Fault] = [((given[index][0],), said) for index, said in wrong]
+    if len(values) == 2 and values[0] > values[1]:
+        message = f"{low[0]} {low[1]} lies above {high[0]} {high[1]}; exchange them"
+        faults.append(((low[0],), message))
+    return faults
+
+
+def _line(points: list[Point], key: str) -> tuple[list[tuple[float, float]], list[Fault]]:
+    """Return the points as SI numbers, and what is wrong with them; points only when nothing is."""
+    (x, x_wrong), (y, y_wrong) = (alike([point[axis] for point in points]) for axis in (0, 1))
+    faults: list[Fault] = [((key, index, 0), said) for index, said in x_wrong]
+    faults += [((key, index, 1), said) for index, said in y_wrong]
+    return ([] if faults else list(zip(x, y, strict=True))), faults

@@ -1,0 +1,144 @@
+"""The case document: finite-element histories, how parts are grouped, and what lies between the groups."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from certkit.definitions.base import Section
+from certkit.definitions.provenance import Length, Mass, Ratio, Time
+
+Format = Literal["openradioss native", "openradioss csv", "ls-dyna binout", "tidy csv"]
+
+_MAPPING_NEEDED = "a tidy csv needs `parts`: which column holds which part's momentum"
+
+
+class RigidBody(Section):
+    """What the files do not say about a rigid body, whose own history row is all zero."""
+
+    mass: Mass
+    node: Annotated[str, Field(description="Its main node, whose velocity it has.")]
+
+
+class PartColumns(Section):
+    """Columns of one part in a tidy CSV; a `*` in its name and in the columns stands for the same words."""
+
+    mass: Mass | None = None
+    momentum: str | None = None
+    displacement: Annotated[str | None, Field(description="Of the centre of gravity.")] = None
+    front: Annotated[str | None, Field(description="Mean displacement of its front.")] = None
+
+
+class ContactColumns(Section):
+    """Columns of one contact in a tidy CSV."""
+
+    impulse: str
+    force: str | None = None
+
+
+class SpringColumns(Section):
+    """Columns of one spring to the ground in a tidy CSV; the force is the one on the ground."""
+
+    force: str
+    shortening: str | None = None
+
+
+class Histories(Section):
+    """The solver's files and how to read them."""
+
+    format: Format
+    folder: Annotated[str | None, Field(description="Relative to the case file; `--data` replaces it.")] = (
+        None
+    )
+    files: Annotated[list[str], Field(min_length=1, max_length=20)]
+    units: Annotated[str, Field(description="Mass, length and time, such as `kg mm ms`.")] = "kg mm ms"
+    rigid_bodies: dict[str, RigidBody] = {}
+    time: Annotated[str, Field(description="Column of the time in a tidy CSV.")] = "time_ms"
+    parts: Annotated[dict[str, PartColumns], Field(description="Only for a tidy CSV.")] = {}
+    nodes: Annotated[dict[str, str], Field(description="Column by node name, only for a tidy CSV.")] = {}
+    contacts: dict[str, ContactColumns] = {}
+    springs: dict[str, SpringColumns] = {}
+    table: Annotated[str | None, Field(description="CSV with mass and face of each part, by `group`.")] = None
+    outlines: Annotated[str | None, Field(description="JSON with the front's outlines (x, z) in mm.")] = None
+
+    @model_validator(mode="after")
+    def _mapped(self) -> Histories:
+        if self.format == "tidy csv" and not self.parts:
+            raise ValueError(_MAPPING_NEEDED)
+        return self
+
+
+class CaseGroup(Section):
+    """A set of parts that moves as one mass in the lumped front."""
+
+    kind: Annotated[
+        Literal["impactor", "fascia", "hood", "engine room"],
+        Field(description="The impactor brings the momentum; it is no part of the vehicle."),
+    ]
+    parts: Annotated[list[str], Field(min_length=1, description="Names, or patterns such as `F1_*`.")]
+    moves_with: Annotated[
+        list[str] | Literal["front", "centre of gravity"] | None,
+        Field(description="Nodes or rule; fascia: front, otherwise: centre of gravity."),
+    ] = None
+    low: Annotated[Length | None, Field(description="Lower end of its face above the ground.")] = None
+    high: Length | None = None
+    position: Annotated[Length | None, Field(description="x of its face at mid-height.")] = None
+    slope: Ratio | None = None
+
+
+class Path(Section):
+    """A load path: what pushes from the first group to the second, and how its force is known."""
+
+    between: Annotated[list[str], Field(min_length=2, max_length=2)]
+    contact: Annotated[str | None, Field(description="Recorded contact in this path.")] = None
+    spring: Annotated[str | None, Field(description="Recorded spring to the ground in this path.")] = None
+    tension: Annotated[bool, Field(description="Whether it can also pull: sheets, bolts.")] = False
+    law: Annotated[bool, Field(description="False: no stiffness is wanted, the groups touch freely.")] = True
+    start: Annotated[Length | None, Field(description="Initial clearance, where the geometry tells it.")] = (
+        None
+    )
+
+    @property
+    def name(self) -> str:
+        """Return `F4 – E2`."""
+        return f"{self.between[0]} – {self.between[1]}"
+
+
+class Material(Section):
+    """The block between two groups whose stress–strain curve the recovered stiffness is compared with."""
+
+    path: Annotated[list[str], Field(min_length=2, max_length=2)]
+    length: Annotated[Length, Field(description="Along the impact, before crush.")]
+    area: Annotated[str, Field(description="Quantity such as `40000 mm²`.")]
+    curve: Annotated[str | None, Field(description="CSV of engineering strain and stress in MPa.")] = None
+    strain_from: Annotated[float, Field(ge=0, le=1)] = 0.12
+    faces: Annotated[
+        list[str], Field(description="Nodes spread over the front face: must move alike, else no conversion.")
+    ] = []
+
+
+class Settings(Section):
+    """How forces are derived from impulses."""
+
+    smoothing: Annotated[Time | None, Field(description="Window of the cubic smoothing; default 1 ms.")] = (
+        None
+    )
+    until: Annotated[Time | None, Field(description="Only histories up to here are used.")] = None
+    closure_limit: Annotated[
+        float, Field(gt=0, le=100, description="Per cent of a path's impulse above which it is warned of.")
+    ] = 2.0
+
+
+class Case(Section):
+    """A finite-element run to be turned into a lumped front."""
+
+    case: Annotated[str, Field(description="Its name.")]
+    title: str
+    vehicle: Annotated[str | None, Field(description="Name of the vehicle that is written.")] = None
+    histories: Histories
+    groups: Annotated[dict[str, CaseGroup], Field(min_length=2, max_length=200)]
+    paths: Annotated[list[Path], Field(min_length=1, max_length=2000)]
+    material: Material | None = None
+    settings: Settings = Settings()
+    notes: list[str] = []

@@ -1,0 +1,212 @@
+"""What no single value can show: fixtures that cannot go together, criteria without a channel.
+
+The checks look at the file as read, so that they report beside whatever else is wrong with it; odd values are
+passed over here because the document itself reports them.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from certkit.definitions.base import words
+from certkit.definitions.channels import CHANNELS, channel_kind
+from certkit.definitions.loading.error_messages import suggestion
+from certkit.definitions.loading.field_types import fields
+from certkit.definitions.procedure import MEASURES, Criterion
+from certkit.definitions.units import parse_quantity
+from certkit.definitions.words import is_name
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from certkit.definitions.loading.faults import Steps
+    from certkit.definitions.loading.yaml_reader import Tree
+    from certkit.errors import Problem
+
+Finding = tuple["Steps", str]
+
+# A fixture and those that cannot be on the same rig.
+_APART = {
+    "hinge": ("hanger", "supports", "free flight"),
+    "hanger": ("supports", "free flight", "release", "stopper"),
+    "release": ("supports", "free flight", "ram"),
+    "stopper": ("supports", "free flight", "ram"),
+    "ram": ("supports", "free flight", "hinge"),
+    "added mass": ("supports", "free flight"),
+    "supports": ("free flight",),
+    "loading ram": ("free flight", "ram"),
+}
+# A fixture and the one that it does nothing without.
+_NEEDS = {"release": "hinge", "stopper": "hinge", "supports": "loading ram", "loading ram": "supports"}
+
+_LIGAMENTS = ("MCL", "LCL", "ACL", "PCL")
+
+
+def check_procedure(tree: Tree) -> list[Problem]:
+    """Check the rig's fixtures, the specimen on it, and each criterion."""
+    data = tree.data
+    values = [*_criteria(data.get("criteria")), *_quantities(data.get("preconditions"))]
+    values += [(steps, said) for steps, said in _names(data) if steps not in tree.changed]
+    found = [tree.problem(steps, message, key=True) for steps, message in _fixtures(data)]
+    return found + [tree.problem(steps, message) for steps, message in values]
+
+
+def check_legform(tree: Tree) -> list[Problem]:
+    """Check that the knee has its four ligaments."""
+    knee = tree.data.get("knee")
+    ligaments = knee.get("ligaments") if isinstance(knee, dict) else None
+    if not isinstance(ligaments, dict):
+        return []
+    steps: Steps = ("knee", "ligaments")
+    has = f"a knee has {', '.join(_LIGAMENTS)}"
+    found = [(steps, f"`{name}` is missing; {has}") for name in _LIGAMENTS if name not in ligaments]
+    found += [
+        ((*steps, name), f"`{name}` is no ligament; {has}") for name in ligaments if name not in _LIGAMENTS
+    ]
+    return [tree.problem(where, message, key=True) for where, message in found]
+
+
+def check_vehicle(tree: Tree) -> list[Problem]:
+    """Check that connections lie between groups of this vehicle."""
+    groups, connections = tree.data.get("groups"), tree.data.get("connections")
+    if not isinstance(groups, dict) or not isinstance(connections, list):
+        return []
+    known = ["ground", *groups]
+    found: list[Finding] = []
+    for index, connection in enumerate(connections):
+        ends = connection.get("between") if isinstance(connection, dict) else None
+        if not isinstance(ends, list):
+            continue
+        steps: Steps = ("connections", index, "between")
+        found += [
+            ((*steps, i), f"there is no group `{end}`; {suggestion(str(end), known)}")
+            for i, end in enumerate(ends)
+            if end not in known
+        ]
+        if len(ends) == 2 and ends[0] == ends[1]:
+            found.append((steps, f"both ends are `{ends[0]}`; a connection lies between two groups"))
+    return [tree.problem(where, message) for where, message in found]
+
+
+def check_reference(tree: Tree) -> list[Problem]:
+    """Check that values have their channel's unit, and that published ones stand beside measured ones."""
+    found: list[Finding] = []
+    values = tree.data.get("values")
+    for key in ("values", "published"):
+        given = tree.data.get(key)
+        for name, text in given.items() if isinstance(given, dict) else ():
+            if key == "published" and isinstance(values, dict) and name not in values:
+                message = f"`{name}` has no value to stand beside; {suggestion(name, list(values))}"
+                found.append(((key, name), message))
+            elif name in CHANNELS and isinstance(text, str):
+                found += [((key, name), said) for said in _unfit(text, name)]
+    return [tree.problem(where, message) for where, message in found]
+
+
+def _fixtures(data: dict[str, Any]) -> Iterator[Finding]:
+    given = data.get("rig")
+    if not isinstance(given, dict):
+        return
+    rig = [words(name) for name, fixture in given.items() if fixture is not None and name != "origin"]
+    if not rig:
+        yield ("rig",), "holds no fixture; name at least one, such as `hinge` or `supports`"
+    for name in rig:
+        for other in _APART.get(name, ()):
+            if other in rig:
+                yield ("rig", other), f"`{name}` and `{other}` cannot be on the same rig; keep one"
+        needed = _NEEDS.get(name)
+        if needed is not None and needed not in rig:
+            yield ("rig", name), f"`{name}` does nothing without `{needed}`; add it"
+    yield from _specimen(data, rig)
+
+
+def _specimen(data: dict[str, Any], rig: list[str]) -> Iterator[Finding]:
+    specimen = data.get("specimen")
+    part = specimen.get("part", "leg") if isinstance(specimen, dict) else "leg"
+    if "supports" in rig and part == "leg":
+        yield ("rig", "supports"), "a whole leg does not lie on supports; set `part` of the specimen"
+    if "supports" not in rig and part in {"femur", "tibia", "knee"}:
+        yield ("specimen", "part"), f"a {part} alone needs `supports` and a `loading ram` on the rig"
+    if "free flight" in rig and data.get("vehicle") is None:
+        yield ("rig", "free flight"), "`free flight` hits a vehicle; name it with `vehicle`"
+    if "free flight" not in rig and data.get("vehicle") is not None:
+        yield ("vehicle",), "a vehicle is hit in `free flight` only; add that, or leave the vehicle out"
+
+
+def _names(data: dict[str, Any]) -> Iterator[Finding]:
+    """Refuse paths where a file names other definitions: names are looked for in the libraries only."""
+    specimen = data.get("specimen")
+    named: list[tuple[Steps, Any]] = [((key,), data.get(key)) for key in ("vehicle", "reference", "score")]
+    named.append((("specimen", "legform"), specimen.get("legform") if isinstance(specimen, dict) else None))
+    criteria = data.get("criteria")
+    for index, criterion in enumerate(criteria if isinstance(criteria, list) else ()):
+        corridor = criterion.get("corridor") if isinstance(criterion, dict) else None
+        if isinstance(corridor, str) and "/" in corridor:
+            named.append((("criteria", index, "corridor"), corridor.partition("/")[0]))
+    for steps, name in named:
+        if isinstance(name, str) and not is_name(name):
+            yield steps, f"`{name}` is no name; write it without folders and ending"
+
+
+def _criteria(criteria: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML data
+    seen: set[str] = set()
+    for index, criterion in enumerate(criteria if isinstance(criteria, list) else ()):
+        if not isinstance(criterion, dict):
+            continue
+        steps: Steps = ("criteria", index)
+        name = criterion.get("id")
+        if isinstance(name, str) and name in seen:
+            yield (*steps, "id"), f"`{name}` is the id of a criterion already; ids are unique"
+        seen.add(str(name))
+        yield from (((*steps, *way), said) for way, said in _criterion(criterion))
+
+
+def _criterion(criterion: dict[str, Any]) -> Iterator[Finding]:
+    measure, channel, curve = (criterion.get(key) for key in ("measure", "channel", "curve"))
+    misspelt = set(criterion) - set(fields(Criterion))
+    if measure in MEASURES and not misspelt:
+        drawn = measure == "curve in polygon"
+        if drawn and curve is None:
+            yield ("measure",), "`curve in polygon` needs a `curve: {x: …, y: …}` of two channels"
+        if not drawn and channel is None:
+            yield ("measure",), f"`{measure}` needs a `channel`; {suggestion('', list(CHANNELS))}"
+        if measure == "value at" and criterion.get("at") is None:
+            yield ("measure",), "`value at` needs `at: {channel: …, equals: …}`"
+    yield from _channel(("channel",), channel)
+    if isinstance(curve, dict):
+        for axis in ("x", "y"):
+            yield from _channel(("curve", axis), curve.get(axis))
+    at = criterion.get("at")
+    if isinstance(at, dict):
+        yield from _channel(("at", "channel"), at.get("channel"))
+        if isinstance(at.get("channel"), str) and isinstance(at.get("equals"), str):
+            yield from ((("at", "equals"), said) for said in _unfit(at["equals"], at["channel"]))
+    corridor = criterion.get("corridor")
+    if isinstance(corridor, str) and not all(corridor.partition("/")):
+        yield ("corridor",), f"`{corridor}` has to be written set/entry, such as `r127-pendulum/T1`"
+
+
+def _channel(steps: Steps, name: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML data
+    if isinstance(name, str) and channel_kind(name) is None:
+        known = [word for kind in CHANNELS.values() for word in (kind.name, kind.title)]
+        yield steps, f"no channel is called `{name}`; {suggestion(name, known)}"
+
+
+def _unfit(text: str, channel: str) -> Iterator[str]:
+    """Yield what is wrong with a quantity that should be one of the channel's."""
+    kind = channel_kind(channel)
+    if kind is None:
+        return
+    try:
+        parse_quantity(text, kind.dimension.quantity)
+    except ValueError as error:
+        yield f"{error}, which is what {kind.title} is"
+
+
+def _quantities(preconditions: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML data
+    seen: set[str] = set()
+    for index, condition in enumerate(preconditions if isinstance(preconditions, list) else ()):
+        name = condition.get("quantity") if isinstance(condition, dict) else None
+        if isinstance(name, str) and name in seen:
+            yield ("preconditions", index, "quantity"), f"`{name}` is a precondition already; keep one"
+        seen.add(str(name))

@@ -1,0 +1,67 @@
+"""What a field of a document holds, read from its annotation: a number, a document, or many of either.
+
+Origins are inherited, paths are found and numbers are listed along this one description.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, Literal, get_args, get_origin
+
+from pydantic import BaseModel
+
+from certkit.definitions.provenance import Dimension
+
+
+@dataclass(frozen=True)
+class Shape:
+    """What stands under a key.
+
+    Parameters
+    ----------
+    kind : {'number', 'document', 'mapping', 'list', 'plain'}
+        `mapping` and `list` hold many of `item`; `plain` is a word, a count or a choice.
+    model : type, optional
+        The document's class.
+    dimension : str
+        The number's dimension, a key of `certkit.definitions.units.UNITS`.
+    item : Shape, optional
+        What each entry of a mapping or list holds.
+    """
+
+    kind: Literal["number", "document", "mapping", "list", "plain"]
+    model: type[BaseModel] | None = None
+    dimension: str = ""
+    item: Shape | None = None
+
+
+PLAIN = Shape("plain")
+
+
+def shape_of(annotation: Any, metadata: Iterable[Any] = ()) -> Shape:  # noqa: ANN401  # any annotation
+    """Return the shape behind an annotation; `None` beside another type is left out of account."""
+    for mark in metadata:
+        if isinstance(mark, Dimension):
+            return Shape("number", dimension=mark.name)
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return Shape("document", model=annotation)
+    container, arguments = get_origin(annotation), get_args(annotation)
+    if hasattr(annotation, "__metadata__"):
+        return shape_of(annotation.__origin__, annotation.__metadata__)
+    if container in {dict, Mapping}:
+        return Shape("mapping", item=shape_of(arguments[1]))
+    if container in {list, tuple}:
+        shapes = [shape_of(a) for a in arguments if a is not Ellipsis]
+        return Shape("list", item=next((s for s in shapes if s.kind != "plain"), PLAIN))
+    return next((s for s in map(shape_of, arguments) if s.kind != "plain"), PLAIN)
+
+
+@cache
+def fields(model: type[BaseModel]) -> dict[str, Shape]:
+    """Return the keys that a document knows, as they are written, and what each holds."""
+    return {
+        info.alias or name: shape_of(info.annotation, info.metadata)
+        for name, info in model.model_fields.items()
+    }

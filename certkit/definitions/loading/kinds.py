@@ -1,0 +1,137 @@
+"""The kinds of definition: the key each file starts with, its document, and the folder it is kept in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import PurePath
+from typing import TYPE_CHECKING, cast
+
+from certkit.errors import UsageError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from pydantic import BaseModel
+
+    from certkit.definitions.loading.validation import Check
+
+
+@dataclass(frozen=True)
+class Kind:
+    """One kind of definition file.
+
+    Parameters
+    ----------
+    word : str
+        The key that a file of this kind starts with; its value is the definition's name.
+    title : str
+        What the file is, in a few words.
+    home : str
+        `module:class` of its document, imported when first needed.
+    folder : str
+        Where the library keeps such files; empty for files that are only ever named by their path.
+    checks : str
+        `module:function` that looks at the whole file.
+    """
+
+    word: str
+    title: str
+    home: str
+    folder: str = ""
+    checks: str = ""
+
+    @property
+    def noun(self) -> str:
+        """Return what one such definition is called in a sentence."""
+        return "corridor set" if self.word == "corridors" else self.word
+
+    def answers_to(self, word: str) -> bool:
+        """Tell whether a word means this kind: its own word, its plural or singular, or its folder."""
+        last = self.folder.rpartition("/")[2]
+        return word in {self.word, f"{self.word}s", self.word.rstrip("s"), self.folder, last} - {""}
+
+    def lives_in(self, folder: Path) -> bool:
+        """Tell whether a folder is one that a library keeps this kind in."""
+        parts = PurePath(self.folder).parts
+        return bool(parts) and folder.parts[-len(parts) :] == parts
+
+    @property
+    def model(self) -> type[BaseModel]:
+        """Return the document's class."""
+        return cast("type[BaseModel]", _named(self.home))
+
+    @property
+    def check(self) -> Check | None:
+        """Return the check of the whole file, if there is one."""
+        return cast("Check", _named(self.checks)) if self.checks else None
+
+
+def _named(home: str) -> object:
+    module, name = home.split(":")
+    return getattr(import_module(f"certkit.definitions.{module}"), name)
+
+
+_ALL = (
+    Kind(
+        "procedure",
+        "a test: rig, criteria, preconditions",
+        "procedure:Procedure",
+        "procedures",
+        "loading.consistency_checks:check_procedure",
+    ),
+    Kind("corridors", "corridors, limits and scores", "corridor_set:CorridorSet", "corridors"),
+    Kind(
+        "legform",
+        "masses, stiffnesses and geometry of a leg",
+        "legform:Legform",
+        "models/legforms",
+        "loading.consistency_checks:check_legform",
+    ),
+    Kind(
+        "vehicle",
+        "a car front as the leg meets it",
+        "vehicle:Vehicle",
+        "models/vehicles",
+        "loading.consistency_checks:check_vehicle",
+    ),
+    Kind("case", "finite-element histories that a vehicle is extracted from", "extraction_case:Case"),
+    Kind(
+        "reference",
+        "values to compare with",
+        "reference:Reference",
+        "references",
+        "loading.consistency_checks:check_reference",
+    ),
+    Kind(
+        "family",
+        "legs that all pass the same tests, as changes of one legform",
+        "legform_family:Family",
+        "models/legforms/families",
+    ),
+    Kind(
+        "study", "many runs: what varies, how, and what is wanted from it", "study:Study", "examples/studies"
+    ),
+    Kind("fit", "parameters of a leg and the tests they are fitted to", "calibration:Fit", "models/fits"),
+    Kind("laboratory", "who tested what, when, with which sensors", "laboratory:Laboratory"),
+    Kind("mapping", "how a laboratory's files become channels", "channel_mapping:Mapping"),
+    Kind("logbook", "how long a certification is good for", "logbook_rules:LogbookRules"),
+)
+
+KINDS = {kind.word: kind for kind in _ALL}
+
+
+def kind_of(word: str) -> Kind:
+    """Return a kind by its word, also by its plural or its folder's name.
+
+    Raises
+    ------
+    UsageError
+        When there is no such kind; names those there are.
+    """
+    from certkit.definitions.loading.error_messages import suggestion  # noqa: PLC0415  # only when wrong
+
+    for kind in _ALL:
+        if kind.answers_to(word):
+            return kind
+    raise UsageError(f"`{word}` is no kind of definition; {suggestion(word, list(KINDS))}")

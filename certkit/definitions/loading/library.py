@@ -1,0 +1,214 @@
+"""Find a definition by its name or path, change values in it, and read it into its typed document.
+
+Names are looked for in the folders given with `--library`, in the given order, then among those that come
+with certkit. A path (anything with a folder or an ending in it) is read as it stands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import TYPE_CHECKING, Generic, Literal, TypeVar, overload
+
+from pydantic import BaseModel
+
+from certkit.definitions.loading.error_messages import suggestion
+from certkit.definitions.loading.kinds import KINDS, Kind, kind_of
+from certkit.definitions.loading.overrides import Change, change
+from certkit.definitions.loading.search_path import FolderShelf, Found, Shelf, shipped_shelf
+from certkit.definitions.loading.validation import read_bytes, validate
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.definitions.words import ENDINGS
+from certkit.errors import DefinitionError, UsageError
+
+if TYPE_CHECKING:
+    from certkit.definitions.calibration import Fit
+    from certkit.definitions.corridor_set import CorridorSet
+    from certkit.definitions.extraction_case import Case
+    from certkit.definitions.legform import Legform
+    from certkit.definitions.legform_family import Family
+    from certkit.definitions.procedure import Procedure
+    from certkit.definitions.reference import Reference
+    from certkit.definitions.study import Study
+    from certkit.definitions.vehicle import Vehicle
+
+D_co = TypeVar("D_co", bound=BaseModel, covariant=True)
+
+Library = Sequence[Path | Shelf]
+"""What is searched before the shipped definitions, in this order."""
+
+
+@dataclass(frozen=True)
+class Loaded(Generic[D_co]):
+    """A definition with where it came from.
+
+    Parameters
+    ----------
+    kind, name : str
+        Such as `legform`, `flex-pli-gtr`.
+    document : BaseModel
+        The typed document, after `overrides`.
+    path : str
+        The shipped name or the user's path; never absolute, so that it can stand in a result.
+    sha256, text : str
+        Hash and text of the file as it is, before `overrides`.
+    overrides : tuple of Change
+        Values that were changed.
+    """
+
+    kind: str
+    name: str
+    document: D_co
+    path: str
+    sha256: str
+    text: str
+    overrides: tuple[Change, ...] = ()
+
+
+@overload
+def load(
+    kind: Literal["procedure"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Procedure]: ...
+@overload
+def load(
+    kind: Literal["corridors"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[CorridorSet]: ...
+@overload
+def load(
+    kind: Literal["legform"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Legform]: ...
+@overload
+def load(
+    kind: Literal["vehicle"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Vehicle]: ...
+@overload
+def load(
+    kind: Literal["reference"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Reference]: ...
+@overload
+def load(
+    kind: Literal["family"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Family]: ...
+@overload
+def load(
+    kind: Literal["case"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Case]: ...
+@overload
+def load(
+    kind: Literal["study"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Study]: ...
+@overload
+def load(
+    kind: Literal["fit"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[Fit]: ...
+@overload
+def load(
+    kind: str, name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[BaseModel]: ...
+
+
+def load(
+    kind: str, name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+) -> Loaded[BaseModel]:
+    """Load one definition.
+
+    Parameters
+    ----------
+    kind : str
+        Its kind: `procedure`, `corridors`, `legform`, `vehicle`, `reference`.
+    name : str or Path
+        A name that the library knows, or a path.
+    library : sequence of Path or Shelf
+        Searched first, in order.
+    overrides : sequence of str
+        Values to change, `path=value`, such as `rig.hinge.offset=30 mm`; the path starts inside this
+        definition.
+
+    Returns
+    -------
+    Loaded
+
+    Raises
+    ------
+    UsageError
+        When there is no such definition (names the nearest one), or a change does not fit.
+    DefinitionError
+        With all problems of the file.
+    """
+    known = kind_of(kind)
+    return parse(known, find(known, name, library), overrides)
+
+
+def parse(kind: Kind, found: Found, overrides: Sequence[str] = ()) -> Loaded[BaseModel]:
+    """Read a found definition; see `load`."""
+    model = kind.model
+    tree, changes = change(read_tree(found.data, found.file), overrides, model)
+    document = validate(tree, model, kind.check)
+    if found.name is not None and getattr(document, kind.word) != found.name:
+        message = f"the file is called `{found.name}`, so its `{kind.word}` has to be `{found.name}` too"
+        raise DefinitionError([tree.problem((kind.word,), message)])
+    return Loaded(
+        kind=kind.word,
+        name=getattr(document, kind.word),
+        document=document,
+        path=found.label,
+        sha256=sha256(found.data).hexdigest(),
+        text=found.data.decode("utf-8-sig"),
+        overrides=changes,
+    )
+
+
+def find(kind: Kind, name: str | Path, library: Library = ()) -> Found:
+    """Find a definition's file without reading it into a document; see `load`."""
+    path = Path(name)
+    if isinstance(name, Path) or path.suffix in ENDINGS or len(path.parts) > 1:
+        return Found(_shown(path), read_bytes(path), str(path))
+    shelves = search_order(library)
+    for shelf in shelves:
+        found = shelf.find(kind, str(name))
+        if found is not None:
+            return found
+    names = {known for shelf in shelves for known in shelf.names(kind)}
+    hint = f"; to read the file, write ./{name}" if path.exists() else ""
+    raise UsageError(f"there is no {kind.noun} `{name}`; {suggestion(str(name), names)}{hint}")
+
+
+def search_order(library: Library = ()) -> list[Shelf]:
+    """Return the shelves that names are looked for on, first to last.
+
+    Raises
+    ------
+    UsageError
+        When a library folder does not exist.
+    """
+    for entry in library:
+        if isinstance(entry, Path) and not entry.is_dir():
+            raise UsageError(f"the library `{entry}` is no folder; check the path")
+    own = [FolderShelf(entry, _shown(entry)) if isinstance(entry, Path) else entry for entry in library]
+    return [*own, shipped_shelf()]
+
+
+def names(kind: str, library: Library = ()) -> list[str]:
+    """Return the names of all definitions of a kind, sorted."""
+    known = kind_of(kind)
+    return sorted({name for shelf in search_order(library) for name in shelf.names(known)})
+
+
+def neighbours(path: Path) -> list[Shelf]:
+    """Return the shelves beside a file named by its path: its folder, and the library that it is part of."""
+    folder = path.parent
+    homes = [Path(kind.folder) for kind in KINDS.values() if kind.lives_in(folder)]
+    roots = [folder, *(folder.parents[len(home.parts) - 1] for home in homes)]
+    return [FolderShelf(root, _shown(root)) for root in roots]
+
+
+def _shown(path: Path) -> str:
+    """Return a path as it may stand in a result: relative to where we are, or else only its name."""
+    if not path.is_absolute():
+        return path.as_posix()
+    try:
+        return path.relative_to(Path.cwd()).as_posix()
+    except ValueError:
+        return path.name

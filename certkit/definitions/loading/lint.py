@@ -1,0 +1,70 @@
+"""Look a definition file over: all that is wrong with it, and with what it names."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.definitions.loading.catalogue import catalogue
+from certkit.definitions.loading.cross_references import disagreements
+from certkit.definitions.loading.error_messages import suggestion
+from certkit.definitions.loading.kinds import KINDS, Kind
+from certkit.definitions.loading.library import find, neighbours
+from certkit.definitions.loading.search_path import Found
+from certkit.definitions.loading.validation import read_bytes, validate
+from certkit.definitions.loading.yaml_reader import Tree, read_tree
+from certkit.definitions.procedure import Procedure
+from certkit.errors import DefinitionError, Problem
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from certkit.definitions.loading.library import Library
+
+Surveyed = tuple[str, list[Problem]]
+"""A file and what is wrong with it."""
+
+
+def survey(path: Path, library: Library = ()) -> Surveyed:
+    """Check a file of any kind; its keys tell which kind it is. What it names may lie beside it."""
+    try:
+        data = read_bytes(path)
+    except DefinitionError as error:
+        return str(path), error.problems
+    return _survey(Found(path.name, data, str(path)), None, [*library, *neighbours(path)])
+
+
+def survey_all(library: Library = ()) -> list[Surveyed]:
+    """Check everything the library has."""
+    found = [
+        (KINDS[entry.kind], find(KINDS[entry.kind], entry.name, library))
+        for entry in catalogue(None, library)
+    ]
+    return [_survey(item, kind, library) for kind, item in found]
+
+
+def kind_in(tree: Tree) -> Kind:
+    """Return the kind that a file says it is.
+
+    Raises
+    ------
+    DefinitionError
+        When it has none of the keys that a definition starts with.
+    """
+    for key in tree.data:
+        if key in KINDS:
+            return KINDS[key]
+    first = next(iter(tree.data), "")
+    message = f"`{first}` is no kind of definition; {suggestion(first, list(KINDS))}"
+    raise DefinitionError([*tree.problems, tree.problem((first,), message, key=True)])
+
+
+def _survey(found: Found, kind: Kind | None, library: Library) -> Surveyed:
+    try:
+        tree = read_tree(found.data, found.file)
+        known = kind or kind_in(tree)
+        document = validate(tree, known.model, known.check)
+    except DefinitionError as error:
+        return found.file, error.problems
+    if not isinstance(document, Procedure):
+        return found.file, []
+    return found.file, disagreements(document, tree, library)

@@ -1,0 +1,205 @@
+"""Change values of a definition for one run: `rig.hinge.offset=30 mm`, `criteria.T1.filter=none`.
+
+A path is words with dots between them. Underscores and hyphens stand for spaces; list entries are named by
+their id or by their number, from 1.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from certkit.definitions.loading.error_messages import nearest, plain, suggestion
+from certkit.definitions.loading.field_types import Shape, fields
+from certkit.definitions.loading.yaml_reader import Tree, read_value
+from certkit.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from pydantic import BaseModel
+
+    from certkit.definitions.loading.faults import Steps
+
+ORIGIN = {"source": "set on the command line", "confidence": "estimated"}
+
+
+@dataclass(frozen=True)
+class Change:
+    """A value that was changed.
+
+    Parameters
+    ----------
+    path : str
+        Where, in the words of the file.
+    value : str
+        What it is now.
+    was : str, optional
+        What the file says; None where it says nothing.
+    """
+
+    path: str
+    value: str
+    was: str | None
+
+
+@dataclass(frozen=True)
+class _Spot:
+    """Where a path leads: the steps in the file's words, what stands there, the part that has its origin."""
+
+    steps: Steps
+    words: str
+    shape: Shape
+    sourced: Steps | None
+
+
+def split(override: str) -> tuple[str, str]:
+    """Cut `path=value` in two.
+
+    Raises
+    ------
+    UsageError
+        When there is no `=`, or nothing before it.
+    """
+    path, sign, value = override.partition("=")
+    if not sign or not path.strip():
+        raise UsageError(f"`--set {override}`: write PATH=VALUE, such as 'rig.hinge.offset=30 mm'")
+    return path.strip(), value.strip()
+
+
+def change(tree: Tree, overrides: Sequence[str], model: type[BaseModel]) -> tuple[Tree, tuple[Change, ...]]:
+    """Return the tree with the values changed, and what was changed.
+
+    Parameters
+    ----------
+    tree : Tree
+        A definition as read; it is left as it is.
+    overrides : sequence of str
+        Each `path=value`; applied in turn.
+    model : type
+        The definition's document, which also knows the keys that are not in the file.
+
+    Raises
+    ------
+    UsageError
+        When a path does not exist; names the nearest one.
+    DefinitionError
+        When a value cannot be read.
+    """
+    data, changed, changes = tree.data, dict(tree.changed), []
+    for override in overrides:
+        path, text = split(override)
+        spot = _find(path, data, model)
+        value = read_value(text, f"--set {path}")
+        was = _at(data, spot.steps)
+        data = _with(data, spot.steps, _sourced(value, spot.shape))
+        if spot.sourced is not None and spot.steps[-1] not in ORIGIN:
+            for key, said in ORIGIN.items():
+                data = _with(data, (*spot.sourced, key), said)
+        changed[spot.steps] = f"--set {path}"
+        changes.append(Change(spot.words, _shown(value), None if was is None else _shown(was)))
+    return replace(tree, data=data, changed=changed), tuple(changes)
+
+
+def known_paths(data: Any, shape: Shape, prefix: str = "") -> Iterator[str]:  # noqa: ANN401  # raw YAML data
+    """Yield the paths of all values that a definition has or could have."""
+    for name, (_, inner, entry) in _below(data, shape).items():
+        path = f"{prefix}.{name}" if prefix else name
+        yield path
+        yield from known_paths(entry, inner, path)
+
+
+def _below(data: Any, shape: Shape) -> dict[str, tuple[str | int, Shape, Any]]:  # noqa: ANN401  # raw YAML data
+    """Return what can be named below a value: name → step, shape, value."""
+    if shape.model is not None:
+        given = data if isinstance(data, dict) else {}
+        return {key: (key, inner, given.get(key)) for key, inner in fields(shape.model).items()}
+    if shape.item is None:
+        return {}
+    if isinstance(data, dict):
+        return {str(key): (key, shape.item, value) for key, value in data.items()}
+    below: dict[str, tuple[str | int, Shape, Any]] = {}
+    for index, entry in enumerate(data if isinstance(data, list) else ()):
+        own = entry.get("id") if isinstance(entry, dict) else None
+        below[own if isinstance(own, str) else str(index + 1)] = (index, shape.item, entry)
+    return below
+
+
+def _find(path: str, data: Any, model: type[BaseModel]) -> _Spot:  # noqa: ANN401  # raw YAML data
+    """Follow a path; names may hold dots themselves, so the longest name that fits is taken."""
+    top, rest = data, plain(path)
+    shape = Shape("document", model=model)
+    steps: list[str | int] = []
+    words: list[str] = []
+    sourced: Steps | None = None
+    while rest:
+        below = _below(data, shape)
+        first, _, _ = rest.partition(".")
+        if (
+            isinstance(data, list)
+            and first.isdecimal()
+            and 0 < int(first) <= len(data)
+            and first not in below
+        ):
+            rest = plain(list(below)[int(first) - 1]) + rest[len(first) :]
+        fitting = [name for name in below if rest == plain(name) or rest.startswith(f"{plain(name)}.")]
+        if not fitting:
+            near = nearest(path, list(known_paths(top, Shape("document", model=model))))
+            there = [".".join([*words, name]) for name in below]
+            hint = f"did you mean `{near}`?" if near else suggestion(path, there)
+            raise UsageError(f"`--set {path}`: there is no such value; {hint}")
+        name = max(fitting, key=len)
+        if shape.model is not None and set(ORIGIN) <= set(fields(shape.model)):
+            sourced = tuple(steps)
+        step, shape, data = below[name]
+        steps.append(step)
+        words.append(name)
+        rest = rest[len(plain(name)) + 1 :]
+    return _Spot(tuple(steps), ".".join(words), shape, sourced)
+
+
+def _sourced(value: Any, shape: Shape) -> Any:  # noqa: ANN401  # raw YAML data
+    """Give numbers their origin."""
+    if shape.kind == "number" and isinstance(value, (str, int, float)):
+        return {"value": value, **ORIGIN}
+    if shape.kind == "list" and shape.item is not None and isinstance(value, list):
+        return [_sourced(entry, shape.item) for entry in value]
+    if shape.model is not None and "origin" in fields(shape.model) and isinstance(value, dict):
+        return {"origin": ORIGIN, **value}
+    return value
+
+
+def _at(data: Any, steps: Steps) -> Any:  # noqa: ANN401  # raw YAML data
+    """Return the value at `steps`, None where the file has none."""
+    for step in steps:
+        if isinstance(data, dict):
+            data = data.get(step)
+        elif isinstance(data, list) and isinstance(step, int):
+            data = data[step]
+    return data
+
+
+def _with(data: Any, steps: Steps, value: Any) -> Any:  # noqa: ANN401  # raw YAML data
+    """Return a copy of the tree with one value exchanged; mappings on the way are made where missing."""
+    if not steps:
+        return value
+    step, rest = steps[0], steps[1:]
+    if isinstance(data, list) and isinstance(step, int):
+        return [*data[:step], _with(data[step], rest, value), *data[step + 1 :]]
+    known = data if isinstance(data, dict) else {}
+    return {**known, step: _with(known.get(step), rest, value)}
+
+
+def _shown(value: Any) -> str:  # noqa: ANN401  # raw YAML data
+    """Return a value as people write it."""
+    if value is None:
+        return "none"
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, dict):
+        if "value" in value:
+            return str(value["value"])
+        return "{" + ", ".join(f"{key}: {_shown(entry)}" for key, entry in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_shown, value)) + "]"
+    return str(value)

@@ -1,0 +1,82 @@
+"""All numbers of a document in one list, each with its origin: what a report prints and `show` lists."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from pydantic import BaseModel
+
+from certkit.definitions.base import Sourced, words
+from certkit.definitions.provenance import Confidence, Number
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number or corridor with its origin.
+
+    Parameters
+    ----------
+    path : str
+        In the words of the file: `rig.hinge.offset`.
+    value : str
+        As it was written, with its unit.
+    source : str
+        Text, test or fit it comes from.
+    confidence : str
+        How far that can be trusted.
+    """
+
+    path: str
+    value: str
+    source: str
+    confidence: Confidence
+
+
+def parameters(document: BaseModel) -> list[Parameter]:
+    """List every number of a document, in the order of the file."""
+    return list(_walk(document, ""))
+
+
+def _walk(given: object, path: str) -> Iterator[Parameter]:
+    if isinstance(given, Number):
+        yield Parameter(path, given.text, given.source, given.confidence)
+    elif isinstance(given, Sourced) and given.source is not None and given.confidence is not None:
+        for key, line in given.lines().items():
+            yield Parameter(_join(path, key), line, given.source, given.confidence)
+    elif curve := _curve(given):
+        first, last = curve[0], curve[-1]
+        ends = " to ".join(f"({', '.join(n.text for n in point)})" for point in (first, last))
+        yield Parameter(path, f"{len(curve)} points from {ends}", first[0].source, first[0].confidence)
+    else:
+        for key, entry in _entries(given):
+            yield from _walk(entry, _join(path, key))
+
+
+def _entries(given: object) -> Iterator[tuple[str, object]]:
+    """Yield what a part of a document holds, by the words it is found under; nothing for plain values."""
+    if isinstance(given, BaseModel):
+        for name, info in type(given).model_fields.items():
+            yield info.alias or words(name), getattr(given, name)
+    elif isinstance(given, dict):
+        for key, entry in given.items():
+            yield str(key), entry
+    elif isinstance(given, (list, tuple)):
+        for index, entry in enumerate(given, 1):
+            yield str(getattr(entry, "id", None) or getattr(entry, "quantity", index)), entry
+
+
+def _curve(given: object) -> list[tuple[Number, ...]]:
+    """Return the points of a curve, which is one parameter, not two a point; empty for anything else."""
+    if not isinstance(given, list) or not given:
+        return []
+    points = [entry for entry in given if isinstance(entry, tuple) and entry]
+    whole = len(points) == len(given) and all(isinstance(n, Number) for point in points for n in point)
+    return points if whole else []
+
+
+def _join(path: str, key: str) -> str:
+    return ".".join(part for part in (path, key) if part)

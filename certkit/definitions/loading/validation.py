@@ -1,0 +1,72 @@
+"""From a YAML file's tree to a typed document, with every problem of the file in one error."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, TypeVar
+
+from pydantic import BaseModel, ValidationError
+
+from certkit.definitions.loading.error_messages import problems
+from certkit.definitions.loading.yaml_reader import MAX_BYTES, Tree, read_tree
+from certkit.errors import DefinitionError, Problem
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+D = TypeVar("D", bound=BaseModel)
+
+Check = Callable[[Tree], list[Problem]]
+"""Looks at a whole file for what no single value can show."""
+
+
+def validate(tree: Tree, model: type[D], check: Check | None = None) -> D:
+    """Make the document of a tree.
+
+    Parameters
+    ----------
+    tree : Tree
+        As read; its own problems are reported with the others.
+    model : type
+        The document's class.
+    check : callable, optional
+        Finds problems between values; runs also when single values are wrong.
+
+    Raises
+    ------
+    DefinitionError
+        With all problems of the file, sorted by place.
+    """
+    found = list(tree.problems)
+    document = None
+    try:
+        document = model.model_validate(tree.data)
+    except ValidationError as error:
+        found += problems(error, tree, model)
+    if check is not None:
+        found += check(tree)
+    if found or document is None:
+        raise DefinitionError(list(dict.fromkeys(found)))
+    return document
+
+
+def read_document(path: Path, model: type[D]) -> D:
+    """Read a file that is no part of the library, such as a laboratory's or a case's.
+
+    Raises
+    ------
+    DefinitionError
+        When it is missing or cannot be read, and with all problems that it has.
+    """
+    return validate(read_tree(read_bytes(path), str(path)), model)
+
+
+def read_bytes(path: Path) -> bytes:
+    """Return a file's bytes, no more than show that it is too large; raise `DefinitionError` without them."""
+    try:
+        with path.open("rb") as stream:
+            return stream.read(MAX_BYTES + 1)
+    except OSError as error:
+        reason = {FileNotFoundError: "does not exist", IsADirectoryError: "is a folder"}.get(type(error))
+        message = reason or f"cannot be read ({error.strerror})"
+        raise DefinitionError([Problem(str(path), 0, 0, message)]) from None

@@ -1,0 +1,1 @@
+"""What certkit writes: each result, comparison, extraction, study and logbook overview is a document here."""

@@ -1,0 +1,192 @@
+"""Curves for the result document: conditioned channels as drawn, raw channels as they were recorded."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from certkit.definitions.channels import CHANNELS, DIMENSIONS
+from certkit.documents.result import Histories, Series
+from certkit.documents.rounding import rounded_all
+from certkit.errors import DataError
+from certkit.signals import Channel, Recording
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from numpy.typing import NDArray
+
+    from certkit.definitions.channels import Dimension
+    from certkit.documents.result import Result
+    from certkit.signals import Filtered
+
+MOST_POINTS = 600
+"""Points of a drawn curve; a page is about as many pixels wide."""
+
+BEFORE_CONTACT = 0.010
+"""Seconds before contact that are drawn."""
+
+
+def drawn_curves(filtered: Filtered, filters: Mapping[str, str], until: float) -> Histories | None:
+    """Return the channels of a recording through their filters, thinned out for drawing.
+
+    Parameters
+    ----------
+    filtered : Filtered
+    filters : mapping of str to str
+        Filter of each channel that has one; the others are drawn as recorded.
+    until : float
+        Last time that is drawn, s.
+
+    Returns
+    -------
+    Histories or None
+        None when nothing can be drawn. Channels that cannot be filtered are left out.
+    """
+    time = filtered.recording.time
+    begin = int(np.searchsorted(time, -BEFORE_CONTACT - 1e-9))
+    end = int(np.searchsorted(time, until + 1e-9, side="right"))
+    found: dict[str, tuple[Channel, str, NDArray[np.float64]]] = {}
+    for name, channel in filtered.recording.channels.items():
+        words = filters.get(name, "none")
+        try:
+            values = filtered.values(name, words)[begin:end] * channel.dimension.scale
+        except DataError:
+            continue  # the criterion that needs it says so
+        found[name] = (channel, channel.filtered or words if words == "none" else words, values)
+    if end <= begin or not found:
+        return None
+    stride = -(-(end - begin) // MOST_POINTS)
+    return Histories(
+        start=float(time[begin]),
+        interval=stride * filtered.recording.interval if end - begin > 1 else 0.0,
+        count=-(-(end - begin) // stride),
+        series={
+            name: Series(
+                title=channel.title,
+                unit=channel.dimension.unit,
+                values=rounded_all(thinned(values, stride)),
+                filter=words,
+            )
+            for name, (channel, words, values) in found.items()
+        },
+    )
+
+
+def raw_channels(recording: Recording) -> Histories | None:
+    """Return the channels as recorded, at the recording's own sampling; those with NaN are left out."""
+    finite = {
+        name: channel
+        for name, channel in recording.channels.items()
+        if channel.values.shape == recording.time.shape and np.isfinite(channel.values).all()
+    }
+    if not finite or recording.time.size == 0:
+        return None
+    return Histories(
+        start=float(recording.time[0]),
+        interval=_mean_interval(recording.time),
+        count=recording.time.size,
+        series={
+            name: Series(
+                title=channel.title,
+                unit=channel.dimension.unit,
+                values=rounded_all(channel.values * channel.dimension.scale),
+                filter=channel.filtered or "none",
+            )
+            for name, channel in finite.items()
+        },
+    )
+
+
+def histories(
+    time: NDArray[np.float64], series: Mapping[str, tuple[str, str, NDArray[np.float64]]]
+) -> Histories:
+    """Thin any curves on one uniform time axis out for the document.
+
+    Parameters
+    ----------
+    time : ndarray, shape (n,)
+        Seconds.
+    series : mapping of str to (title, unit, values)
+        Values in the unit, shape (n,).
+    """
+    stride = max(1, -(-time.size // MOST_POINTS))
+    return Histories(
+        start=float(time[0]),
+        interval=stride * _mean_interval(time),
+        count=-(-time.size // stride),
+        series={
+            name: Series(title=title, unit=unit, values=rounded_all(thinned(values, stride)))
+            for name, (title, unit, values) in series.items()
+        },
+    )
+
+
+def recording_of(result: Result, source: str | None = None) -> Recording:
+    """Return the recording that a result document carries, so that it can be graded again.
+
+    Parameters
+    ----------
+    result : Result
+    source : str, optional
+        Where it came from; the procedure's name when missing.
+
+    Raises
+    ------
+    DataError
+        When the document carries no channels.
+    """
+    carried = result.channels
+    if carried is None:
+        raise DataError(f"the result of `{result.procedure}` carries no channels; it cannot be graded again")
+    channels = {}
+    for name, series in carried.series.items():
+        dimension = _dimension(name, series.unit)
+        values = np.array(series.values) / dimension.scale
+        seen = "" if series.filter == "none" else series.filter
+        channels[name] = Channel(name, series.title, dimension, values, filtered=seen)
+    kind: Literal["simulated", "measured"] = (
+        "simulated" if result.kind == "virtual certification" else "measured"
+    )
+    time = carried.start + carried.interval * np.arange(carried.count, dtype=np.float64)
+    return Recording(
+        kind, time, channels, conditions=dict(result.conditions), source=source or result.procedure
+    )
+
+
+def thinned(values: NDArray[np.float64], stride: int) -> NDArray[np.float64]:
+    """Take every `stride`-th sample, and put each extreme onto the sample nearest to it.
+
+    So a drawn curve keeps its peak to the last digit, at most half a drawn interval beside its time.
+    """
+    drawn = values[::stride].copy()
+    for index in (int(np.argmin(values)), int(np.argmax(values))):
+        drawn[min(drawn.size - 1, round(index / stride))] = values[index]
+    return drawn
+
+
+def plane_points(x: NDArray[np.float64], y: NDArray[np.float64], most: int) -> list[tuple[float, float]]:
+    """Return at most about `most` points of a curve in a plane, with its first, last and extreme ones."""
+    stride = max(1, -(-x.size // most))
+    kept = sorted({*range(0, x.size, stride), x.size - 1, *_extremes(x), *_extremes(y)})
+    return [(float(x[i]), float(y[i])) for i in kept]
+
+
+def _extremes(values: NDArray[np.float64]) -> Iterable[int]:
+    return int(np.argmin(values)), int(np.argmax(values))
+
+
+def _mean_interval(time: NDArray[np.float64]) -> float:
+    return float(time[-1] - time[0]) / (time.size - 1) if time.size > 1 else 0.0
+
+
+def _dimension(name: str, unit: str) -> Dimension:
+    """Return the dimension of a channel in a document by its name, else by its unit."""
+    kind = CHANNELS.get(name)
+    if kind is not None and kind.dimension.unit == unit:
+        return kind.dimension
+    for dimension in DIMENSIONS.values():
+        if dimension.unit == unit:
+            return dimension
+    raise DataError(f"channel `{name}` has the unit `{unit}`, which certkit does not know")

@@ -1,0 +1,98 @@
+"""`ComparisonDocument`: two tests beside each other (schema `certkit-comparison/1`); pages need it alone."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from pydantic import Field, ValidationError
+
+from certkit.documents.result import ComparisonRow, Part, Verdict
+from certkit.documents.rounding import Figure, Figures
+from certkit.errors import DataError
+from certkit.files import write_whole
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+class Side(Part):
+    """One of the two tests."""
+
+    label: Annotated[str, Field(description="As the user named it.")]
+    kind: Literal["simulated", "measured"]
+    title: str = ""
+    procedure: str = ""
+    verdict: Verdict | None = None
+    id: Annotated[str, Field(description="Certificate id, where it is a result.")] = ""
+
+
+class ChannelRating(Part):
+    """ISO/TS 18571 rating of one channel, each part from 0 to 1; where none can be given, the reason."""
+
+    channel: str
+    title: str
+    corridor: Figure | None = None
+    phase: Figure | None = None
+    magnitude: Figure | None = None
+    slope: Figure | None = None
+    overall: Figure | None = None
+    grade: str = ""
+    reason: str = ""
+
+
+class Overlay(Part):
+    """One channel of both tests on one time axis, with the difference (other − reference)."""
+
+    channel: str
+    title: str
+    unit: str
+    filter: str
+    start: Figure
+    interval: Figure
+    reference: Figures
+    other: Figures
+    difference: Figures
+
+
+class ComparisonDocument(Part):
+    """Two tests beside each other. Errors are (other − reference) / reference, as in the paper's Table 1."""
+
+    schema_: Annotated[Literal["certkit-comparison/1"], Field(alias="schema")] = "certkit-comparison/1"
+    title: str
+    reference: Side
+    other: Side
+    rows: list[ComparisonRow] = Field(default_factory=list)
+    rms_error_percent: Figure | None = None
+    interval: Annotated[tuple[Figure, Figure], Field(description="Time that is compared, s.")]
+    ratings: list[ChannelRating] = Field(default_factory=list)
+    rating: Annotated[Figure | None, Field(description="Mean of the channels' overall ratings.")] = None
+    grade: str = ""
+    overlays: list[Overlay] = Field(default_factory=list)
+    notes: list[str] = Field(default_factory=list)
+
+
+def comparison_json(document: ComparisonDocument) -> str:
+    """Return the document as JSON text, always the same bytes."""
+    return json.dumps(json.loads(document.model_dump_json()), ensure_ascii=False, indent=1) + "\n"
+
+
+def write_comparison(document: ComparisonDocument, path: Path) -> None:
+    """Write the document whole or not at all."""
+    write_whole(path, comparison_json(document))
+
+
+def comparison_from_json(text: str | bytes, name: str) -> ComparisonDocument:
+    """Read the document.
+
+    Raises
+    ------
+    DataError
+        When it is no comparison of this schema.
+    """
+    try:
+        return ComparisonDocument.model_validate_json(text)
+    except ValidationError as error:
+        first = error.errors(include_url=False)[0]
+        place = ".".join(str(step) for step in first["loc"]) or "the document"
+        raise DataError(f"{name}: not a certkit comparison: {place}: {first['msg']}") from error

@@ -1,0 +1,80 @@
+"""The overview of one legform as a document (schema `certkit-logbook/1`): text and page come from it."""
+
+from __future__ import annotations
+
+import json
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from certkit.definitions.provenance import Confidence
+from certkit.documents.result import Part
+from certkit.documents.rounding import Figure
+
+
+class TestLine(Part):
+    """One test."""
+
+    day: str
+    number: str
+    procedure: str
+    verdict: str
+    id: str
+
+
+class Validity(Part):
+    """What one rule says."""
+
+    rule: Literal["interval", "count", "overload"]
+    title: str
+    state: Literal["valid", "due", "never certified"]
+    why: str
+    due: Annotated[str | None, Field(description="Day from which on a certification is due.")] = None
+    left: Annotated[int | None, Field(description="Tests left until one is due.")] = None
+    used: Annotated[int | None, Field(description="Tests since the last certification.")] = None
+    source: str
+    confidence: Confidence
+
+
+class Trend(Part):
+    """One channel over the tests of one procedure."""
+
+    procedure: str
+    criterion: str
+    title: str
+    unit: str
+    days: list[str]
+    values: list[Figure]
+    lower: Figure | None
+    upper: Figure | None
+    count: int
+    mean: Figure
+    standard_deviation: Figure | None
+    variation_percent: Annotated[Figure | None, Field(description="%CV: deviation / |mean|.")]
+    control_lower: Annotated[Figure | None, Field(description="Individuals chart: mean − 2.66·mean range.")]
+    control_upper: Figure | None
+    outside_control: Annotated[list[int], Field(description="Tests beyond the control limits, from 1.")]
+    slope_per_year: Figure | None
+    drifts: Annotated[bool, Field(description="The slope is more than twice its standard error.")]
+    leaves: Annotated[str | None, Field(description="Day on which the drift leaves the corridor.")]
+    remark: str
+
+
+class LegOverview(Part):
+    """Everything the logbook knows of one legform."""
+
+    schema_: Annotated[Literal["certkit-logbook/1"], Field(alias="schema")] = "certkit-logbook/1"
+    serial: str
+    day: Annotated[str, Field(description="The day it is drawn up for.")]
+    rules: str
+    state: Literal["valid", "due", "never certified"]
+    tests: list[TestLine]
+    counts: Annotated[dict[str, int], Field(description="Tests by procedure.")]
+    validity: list[Validity]
+    trends: list[Trend]
+
+
+def overview_json(overview: list[LegOverview]) -> str:
+    """Return overviews as JSON text, always the same bytes."""
+    data = [json.loads(each.model_dump_json()) for each in overview]
+    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"

@@ -1,0 +1,88 @@
+"""Units as data files write them, brought to SI through the one unit table of the definitions."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from certkit.definitions.units import UNITS, parse_quantity
+
+if TYPE_CHECKING:
+    from certkit.definitions.channels import ChannelKind
+
+# Dimensions of the channels → dimensions of the unit table, where the names differ.
+_TABLE = {"elongation": "length", "displacement": "length"}
+
+_SPELLINGS = {
+    "m/(s*s)": "m/s²",
+    "m/s/s": "m/s²",
+    "m/s**2": "m/s²",
+    "m/sec2": "m/s²",
+    "m/sec^2": "m/s²",
+    "N m": "N·m",
+    "N.m": "N·m",
+    "N-m": "N·m",
+    "newton": "N",
+    "Newton": "N",
+    "sec": "s",
+    "degree": "deg",
+    "degrees": "deg",
+    "Grad": "deg",
+    "kNm": "kN·m",
+    "°C": "degC",
+    "C": "degC",
+    "Cel": "degC",
+}
+
+
+def table_dimension(kind: ChannelKind) -> str:
+    """Return the key of `UNITS` for a channel."""
+    return _TABLE.get(kind.dimension.name, kind.dimension.name)
+
+
+def factor(unit: str, kind: ChannelKind) -> float:
+    """Return the factor from `unit` to the channel's SI unit.
+
+    Raises
+    ------
+    ValueError
+        When the unit is unknown or not one of the channel's dimension; says which units would do.
+    """
+    dimension = table_dimension(kind)
+    known = _SPELLINGS.get(unit.strip(), unit.strip())
+    try:
+        return parse_quantity(f"1 {known}", dimension)
+    except ValueError as error:
+        allowed = ", ".join(u for u in UNITS[dimension] if u)
+        raise ValueError(f"unit `{unit}` for {kind.title}; it is written in {allowed}") from error
+
+
+def quantity(text: str, dimension: str, default_unit: str = "") -> float:
+    """Read `20.5 degC`, or `20.5` under a descriptor with a default unit, or `20,5`, as SI.
+
+    Raises
+    ------
+    ValueError
+        When it is no finite number with a unit of the dimension.
+    """
+    match = re.fullmatch(r"\s*([+-]?\d+(?:[.,]\d+)?(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
+    if match is None:
+        raise ValueError(f"`{text}` is not a number with a unit")
+    number, unit = match.group(1).replace(",", "."), match.group(2) or default_unit
+    return parse_quantity(f"{number} {_SPELLINGS.get(unit, unit)}".strip(), dimension)
+
+
+def quantity_of_any_dimension(text: str) -> float:
+    """Read a quantity whose dimension only its unit tells.
+
+    Raises
+    ------
+    ValueError
+        When no dimension has that unit.
+    """
+    for dimension in UNITS:
+        try:
+            return quantity(text, dimension)
+        except ValueError:
+            continue
+    raise ValueError(f"`{text}` is not a number with a unit that certkit knows")

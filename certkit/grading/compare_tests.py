@@ -1,0 +1,221 @@
+"""Put two recordings beside each other: errors, ISO/TS 18571 ratings, overlaid curves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.definitions.channels import CHANNELS
+from certkit.documents.comparison import ChannelRating, ComparisonDocument, Overlay, Side
+from certkit.documents.result import ComparisonRow
+from certkit.documents.rounding import rounded_all
+from certkit.errors import DataError
+from certkit.grading.reference_errors import error_percent, rms
+from certkit.signals import Filtered, rate, resampled
+from certkit.signals.iso18571 import INTERVAL, grade
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from numpy.typing import NDArray
+
+    from certkit.documents.result import Result
+    from certkit.signals import Recording
+
+FILTER = "CFC 180"
+MOST_POINTS = 600
+SLOWEST = 1e-3
+"""Sampling interval, s, above which curves are too coarse for a rating at 10 kHz."""
+NOTHING = 0.01
+"""Share of a unit's largest value below which a reference is nothing that an error could be relative to."""
+
+
+@dataclass(frozen=True)
+class Test:
+    """One test to be compared: its words, its conditioned recording, its criteria where it was graded."""
+
+    side: Side
+    recording: Recording
+    result: Result | None = None
+
+
+def side_by_side(reference: Test, other: Test, *, until: float | None = None) -> ComparisonDocument:
+    """Compare two tests from first contact on.
+
+    Parameters
+    ----------
+    reference : Test
+        What errors and ratings refer to.
+    other : Test
+        What is compared with it.
+    until : float, optional
+        End of the comparison, s; the end of the shorter recording when missing.
+
+    Returns
+    -------
+    ComparisonDocument
+
+    Raises
+    ------
+    DataError
+        When the tests share no channel or no time.
+    """
+    shared = [name for name in CHANNELS if name in reference.recording and name in other.recording]
+    if not shared:
+        raise DataError(
+            f"{reference.side.label} and {other.side.label} share no channel; are the codes or heads mapped?"
+        )
+    begin, end = _interval(reference.recording, other.recording, until)
+    curves = {
+        name: _pair(reference.recording, other.recording, name, begin, end, step=_step(reference, other))
+        for name in shared
+    }
+    notes = [
+        f"Only in {test.side.label}: {', '.join(left)}."
+        for test in (reference, other)
+        if (left := [name for name in CHANNELS if name in test.recording and name not in shared])
+    ]
+    rows, said = _rows(reference, other, curves)
+    ratings = [_rating(name, *curves[name], slow=_step(reference, other) > SLOWEST) for name in shared]
+    overall = [rating.overall for rating in ratings if rating.overall is not None]
+    mean = float(np.mean(overall)) if overall else None
+    return ComparisonDocument(
+        title=f"{other.side.label} compared with {reference.side.label}",
+        reference=reference.side,
+        other=other.side,
+        rows=rows,
+        rms_error_percent=rms([row.error_percent for row in rows]) if rows else None,
+        interval=(begin, end),
+        ratings=ratings,
+        rating=mean,
+        grade="" if mean is None else grade(mean),
+        overlays=[_overlay(name, *curves[name], begin, _step(reference, other)) for name in shared],
+        notes=[*notes, *said],
+    )
+
+
+def _interval(a: Recording, b: Recording, until: float | None) -> tuple[float, float]:
+    begin = max(0.0, float(a.time[0]), float(b.time[0]))
+    end = min(float(a.time[-1]), float(b.time[-1]), np.inf if until is None else until)
+    if end <= begin:
+        raise DataError(
+            f"{a.source or 'the first'} and {b.source or 'the second'} share no time after contact"
+        )
+    return begin, end
+
+
+def _step(a: Test, b: Test) -> float:
+    """Return the step of the common axis: the method's 0.1 ms, or that of slow (static) tests."""
+    slowest = max(a.recording.interval, b.recording.interval)
+    return INTERVAL if slowest <= SLOWEST else slowest
+
+
+def _pair(
+    a: Recording, b: Recording, name: str, begin: float, end: float, *, step: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64], str]:
+    """Return a channel of both on the common axis, filtered alike where that is possible."""
+    try:
+        values = [Filtered(each).values(name, FILTER) for each in (a, b)]
+        words = FILTER
+    except DataError:
+        values = [each[name].values for each in (a, b)]
+        words = "none"
+    if step == INTERVAL:
+        pair = [resampled(each.time, v, begin, end) for each, v in zip((a, b), values, strict=True)]
+    else:
+        axis = np.arange(begin, end + 0.5 * step, step)
+        pair = [np.interp(axis, each.time, v) for each, v in zip((a, b), values, strict=True)]
+    return pair[0], pair[1], words
+
+
+def _rows(
+    reference: Test, other: Test, curves: Mapping[str, tuple[NDArray[np.float64], NDArray[np.float64], str]]
+) -> tuple[list[ComparisonRow], list[str]]:
+    """Make the error table: of criteria where both were graded by one procedure, else of peaks."""
+    pairs = _criteria(reference.result, other.result)
+    said = "Values are those of the criteria."
+    if not pairs:
+        pairs = [_peaks(name, x, y) for name, (x, y, _) in curves.items()]
+        said = (
+            f"Values are the peaks of the channels, {FILTER}, on the side where the reference has its peak."
+        )
+    largest: dict[str, float] = {}
+    for _, unit, value, _ in pairs:
+        largest[unit] = max(largest.get(unit, 0.0), abs(value))
+    rows, without = [], []
+    for name, unit, test, found in pairs:
+        if abs(test) <= NOTHING * largest[unit]:
+            without.append(name)
+            continue
+        error = error_percent(found, test)
+        rows.append(ComparisonRow(channel=name, unit=unit, test=test, simulation=found, error_percent=error))
+    notes = [said]
+    if without:
+        notes.append(f"The reference is nearly zero, so there is no relative error: {', '.join(without)}.")
+    return rows, notes
+
+
+def _criteria(a: Result | None, b: Result | None) -> list[tuple[str, str, float, float]]:
+    """Return id, unit and both values of the criteria, where both tests were graded by one procedure."""
+    if a is None or b is None or a.procedure != b.procedure:
+        return []
+    theirs = {c.id: c for c in b.criteria}
+    return [
+        (c.id, c.unit, c.value, other.value)
+        for c in a.criteria
+        if (other := theirs.get(c.id)) is not None
+        and c.value is not None
+        and other.value is not None
+        and other.unit == c.unit
+    ]
+
+
+def _peaks(name: str, x: NDArray[np.float64], y: NDArray[np.float64]) -> tuple[str, str, float, float]:
+    """Return the reference's peak of a channel, and the other's on the same side, in the shown unit."""
+    dimension = CHANNELS[name].dimension
+    sign = 1.0 if x[int(np.argmax(np.abs(x)))] >= 0 else -1.0
+    peaks = [sign * float((sign * v).max()) * dimension.scale for v in (x, y)]
+    return name, dimension.unit, peaks[0], peaks[1]
+
+
+def _rating(
+    name: str, a: NDArray[np.float64], b: NDArray[np.float64], _: str, *, slow: bool
+) -> ChannelRating:
+    title = CHANNELS[name].title
+    if slow:
+        return ChannelRating(channel=name, title=title, reason="sampled too slowly for a rating at 10 kHz")
+    try:
+        rating = rate(a, b)
+    except DataError as error:
+        return ChannelRating(channel=name, title=title, reason=str(error))
+    return ChannelRating(
+        channel=name,
+        title=title,
+        corridor=rating.corridor,
+        phase=rating.phase,
+        magnitude=rating.magnitude,
+        slope=rating.slope,
+        overall=rating.overall,
+        grade=rating.grade,
+    )
+
+
+def _overlay(
+    name: str, a: NDArray[np.float64], b: NDArray[np.float64], words: str, begin: float, step: float
+) -> Overlay:
+    kind = CHANNELS[name]
+    stride = max(1, -(-a.size // MOST_POINTS))
+    x, y = (v[::stride] * kind.dimension.scale for v in (a, b))
+    return Overlay(
+        channel=name,
+        title=kind.title,
+        unit=kind.dimension.unit,
+        filter=words,
+        start=begin,
+        interval=stride * step,
+        reference=rounded_all(x),
+        other=rounded_all(y),
+        difference=rounded_all(y - x),
+    )

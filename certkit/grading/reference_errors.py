@@ -1,0 +1,115 @@
+"""Error tables like the paper's Table 1.
+
+The error is (simulation − test) / test. The paper prints it in whole percent; its published column is shown
+the same way, and the rms of these rounded errors is the 16.2 % that the paper's table gives. Our own errors
+and their rms are not rounded.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from certkit.definitions.channels import CHANNELS
+from certkit.definitions.units import dimensions, parse_quantity
+from certkit.documents.result import Comparison, ComparisonRow
+from certkit.errors import UsageError
+from certkit.grading.measure import quantity
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from certkit.definitions.reference import Reference
+    from certkit.documents.result import CriterionResult
+
+
+def error_percent(simulation: float, test: float) -> float:
+    """Return (simulation − test) / test in percent.
+
+    Raises
+    ------
+    UsageError
+        When the test value is zero or not finite: no relative error exists then.
+    """
+    if test == 0 or not math.isfinite(test):
+        raise UsageError(f"no relative error against a test value of {test}")
+    return (simulation - test) / test * 100.0
+
+
+def whole_percent(error: float) -> float:
+    """Round to whole percent as the paper does, halves away from zero."""
+    return math.copysign(math.floor(abs(error) + 0.5), error) if abs(error) >= 0.5 else 0.0
+
+
+def rms(errors: Sequence[float]) -> float:
+    """Return the root mean square of errors."""
+    return math.sqrt(sum(error * error for error in errors) / len(errors))
+
+
+def compare(reference: Reference, criteria: Iterable[CriterionResult]) -> Comparison | None:
+    """Make the error table of measured criteria against reference data.
+
+    Returns
+    -------
+    Comparison or None
+        None when not one of the reference's criteria was measured. Those that are missing are named in the
+        notes.
+
+    Raises
+    ------
+    UsageError
+        When a reference value's unit is not one of its criterion's channel.
+    """
+    values = {criterion.id: criterion for criterion in criteria if criterion.value is not None}
+    rows = [_row(reference, values[name], text) for name, text in reference.values.items() if name in values]
+    if not rows:
+        return None
+    missing = [name for name in reference.values if name not in values]
+    notes = list(reference.notes)
+    if missing:
+        notes.append(f"Not measured, so not in the rms error: {', '.join(missing)}.")
+    published = [row.published_error_percent for row in rows if row.published_error_percent is not None]
+    if published:
+        notes.append(
+            "Published errors are rounded to whole percent, as they were printed, and so is their rms."
+        )
+    return Comparison(
+        reference=reference.reference,
+        title=reference.title,
+        rms_error_percent=rms([row.error_percent for row in rows]),
+        published_rms_error_percent=rms(published) if published else None,
+        rows=rows,
+        notes=notes,
+    )
+
+
+def _row(reference: Reference, criterion: CriterionResult, text: str) -> ComparisonRow:
+    test = _shown(text, criterion, reference)
+    printed = reference.published.get(criterion.id)
+    published = None if printed is None else _shown(printed, criterion, reference)
+    simulation = criterion.value
+    if simulation is None:
+        raise UsageError(f"criterion {criterion.id} has no value to compare")
+    return ComparisonRow(
+        channel=criterion.id,
+        unit=criterion.unit,
+        test=test,
+        simulation=simulation,
+        error_percent=error_percent(simulation, test),
+        published=published,
+        published_error_percent=None if published is None else whole_percent(error_percent(published, test)),
+    )
+
+
+def _shown(text: str, criterion: CriterionResult, reference: Reference) -> float:
+    """Read a reference value and give it in the criterion's unit."""
+    where = f"reference {reference.reference}, {criterion.id}"
+    kind = CHANNELS.get(criterion.channel)
+    if kind is not None and kind.dimension.unit == criterion.unit:
+        return quantity(text, kind.dimension, where) * kind.dimension.scale
+    for name in dimensions(text):
+        try:
+            return parse_quantity(text, name) / parse_quantity(f"1 {criterion.unit}", name)
+        except ValueError:
+            continue
+    raise UsageError(f"{where}: `{text}` cannot be given in {criterion.unit}")

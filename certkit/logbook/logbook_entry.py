@@ -1,0 +1,103 @@
+"""One line of a logbook, taken from a result document."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from datetime import date
+from typing import TYPE_CHECKING
+
+from certkit.errors import DataError
+
+if TYPE_CHECKING:
+    from certkit.documents.result import Result
+
+
+@dataclass(frozen=True)
+class Reading:
+    """A criterion's value with its limits, in its unit."""
+
+    criterion: str
+    title: str
+    value: float | None
+    unit: str
+    lower: float | None
+    upper: float | None
+    verdict: str
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A test of one legform.
+
+    Parameters
+    ----------
+    id : str
+        Certificate id.
+    serial : str
+        Serial number of the legform.
+    day : date
+        When it was tested.
+    number : str
+        The laboratory's number of the test; tests of one day follow each other by it.
+    procedure, verdict, kind : str
+        As in the document.
+    readings : tuple of Reading
+        In the procedure's order.
+    """
+
+    id: str
+    serial: str
+    day: date
+    number: str
+    procedure: str
+    verdict: str
+    kind: str
+    readings: tuple[Reading, ...]
+
+    @property
+    def order(self) -> tuple[date, list[tuple[int, int, str]], str]:
+        """Key that puts tests into the order in which they were done."""
+        parts = re.findall(r"\d+|\D+", self.number)
+        return self.day, [(0, int(p), "") if p.isdigit() else (1, 0, p) for p in parts], self.id
+
+
+def entry_of(result: Result, place: str) -> Entry:
+    """Take a logbook's line from a document.
+
+    Parameters
+    ----------
+    result : Result
+        With a laboratory's header.
+    place : str
+        The document, for messages.
+
+    Raises
+    ------
+    DataError
+        When the document does not say which legform was tested, or when.
+    """
+    header = result.laboratory or {}
+    item, test = header.get("item"), header.get("test")
+    serial = item.get("serial") if isinstance(item, dict) else None
+    if not isinstance(serial, str) or not serial.strip():
+        raise DataError(f"{place}: names no serial number; grade the test with --lab, whose `item` has one")
+    performed = test.get("performed") if isinstance(test, dict) else None
+    try:
+        day = date.fromisoformat(str(performed))
+    except ValueError as error:
+        raise DataError(f"{place}: `test: performed` is no date; grade the test with --lab") from error
+    number = test.get("number") if isinstance(test, dict) else None
+    return Entry(
+        id=result.id,
+        serial=serial.strip(),
+        day=day,
+        number=str(number or ""),
+        procedure=result.procedure,
+        verdict=result.verdict,
+        kind=result.kind,
+        readings=tuple(
+            Reading(c.id, c.title, c.value, c.unit, c.lower, c.upper, c.verdict if c.graded else "")
+            for c in result.criteria
+        ),
+    )

@@ -1,0 +1,83 @@
+"""The overview of one legform, put together from its logbook."""
+
+from __future__ import annotations
+
+from collections import Counter
+from functools import cache
+from importlib.resources import files
+from typing import TYPE_CHECKING
+
+from certkit.definitions.loading.validation import validate
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.definitions.logbook_rules import LogbookRules
+from certkit.documents.logbook_overview import LegOverview, TestLine
+from certkit.errors import UsageError
+from certkit.logbook.trend import trends
+from certkit.logbook.validity import validity
+
+if TYPE_CHECKING:
+    from datetime import date
+
+    from certkit.logbook.logbook_store import Logbook
+
+_STATES = ("never certified", "due", "valid")
+
+
+@cache
+def shipped_rules() -> LogbookRules:
+    """Read the rules that certkit ships."""
+    source = files("certkit.logbook") / "flex-pli.yaml"
+    return validate(read_tree(source.read_bytes(), source.name), LogbookRules)
+
+
+def overview(
+    logbook: Logbook, serial: str, *, rules: LogbookRules | None = None, day: date | None = None
+) -> LegOverview:
+    """Draw up the overview of a legform.
+
+    Parameters
+    ----------
+    logbook : Logbook
+        Where its tests are.
+    serial : str
+        Its serial number.
+    rules : LogbookRules, optional
+        The shipped ones when missing.
+    day : date, optional
+        The day that validity is asked for; the day of the last test when missing.
+
+    Raises
+    ------
+    UsageError
+        When the logbook does not know the serial number.
+    """
+    rules = rules or shipped_rules()
+    entries = logbook.entries(serial)
+    if not entries:
+        known = ", ".join(logbook.serials()) or "none yet"
+        raise UsageError(f"the logbook knows no legform `{serial}`; it has {known}")
+    asked = day or entries[-1].day
+    # Tests after the day that is asked for had not been done then.
+    entries = [entry for entry in entries if entry.day <= asked]
+    lines = [validity(rule, entries, asked) for rule in rules.rules]
+    certifying = {name for rule in rules.rules for name in rule.certified_by}
+    states = {line.state for line in lines}
+    return LegOverview(
+        serial=serial,
+        day=asked.isoformat(),
+        rules=rules.title,
+        state=next(state for state in _STATES if state in states),
+        tests=[
+            TestLine(
+                day=entry.day.isoformat(),
+                number=entry.number,
+                procedure=entry.procedure,
+                verdict=entry.verdict,
+                id=entry.id,
+            )
+            for entry in entries
+        ],
+        counts=dict(sorted(Counter(entry.procedure for entry in entries).items())),
+        validity=lines,
+        trends=trends([e for e in entries if e.procedure in certifying], rules.trend.at_least),
+    )

@@ -1,0 +1,192 @@
+"""The compiled loop as a function, with or without numba.
+
+Importing numba takes 0.3 s, with scipy installed 0.7 s; a run of 60 ms is simulated in 0.01 s. So what numba
+has compiled is kept as an object file in the user's cache, and llvmlite alone loads it from there, in 0.02 s.
+The file's name is a digest of all that its content depends on. Whatever is unusual, numba compiles again.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import os
+import platform
+import sys
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+
+from llvmlite import binding as llvm
+
+from certkit.errors import RunError
+from certkit.files import write_whole
+from certkit.mechanics.solver.kernel_arguments import Handover, block
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+Entry: TypeAlias = "Callable[[int], tuple[int, int]]"
+"""The loop as machine code: from the address of a `Handover`'s block to an error code and the status."""
+
+FOLDER = Path(__file__).parents[1]
+SOURCES = ("solver/*.py", "force_laws/*.py")
+
+C_LIBRARY = frozenset(
+    {"acos", "asin", "atan", "atan2", "cos", "exp", "log", "pow", "sin", "sincos", "tan", "tanh"}
+)
+"""All that the object file may ask for by name. LLVM ends the process when it cannot find a name."""
+
+
+class Code(NamedTuple):
+    """An object file, and the name of the loop's function in it."""
+
+    name: str
+    content: bytes
+
+
+@cache
+def loop() -> Callable[[Handover], int]:
+    """Return the compiled loop, which takes a `Handover` and returns FINISHED or RAN_AWAY.
+
+    Raises
+    ------
+    RunError
+        By the loop that is returned: when compiled code reports an error of its own.
+    """
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    file = cache_folder() / f"{_digest()}.o"
+    code = _read(file)
+    if code is None:
+        _tell(f"compiling the solver for this machine: once, some ten seconds; kept in {file.parent}")
+        code = compile_loop()
+        if code is not None:
+            _keep(file, code)
+    entry = (by_llvm(code) if code else None) or by_numba()
+
+    def march(run: Handover) -> int:
+        words = block(run)
+        status, outcome = entry(words.ctypes.data)
+        if status:
+            raise RunError(f"the compiled loop stopped with code {status}; please report this fault")
+        return outcome
+
+    return march
+
+
+def cache_folder() -> Path:
+    """Return where object files are kept: `CERTKIT_CACHE`, else `certkit` in the user's cache folder."""
+    own = os.environ.get("CERTKIT_CACHE")
+    if own:
+        return Path(own)
+    if sys.platform == "win32":
+        base = os.environ.get("LOCALAPPDATA") or "~/AppData/Local"
+    elif sys.platform == "darwin":
+        base = "~/Library/Caches"
+    else:
+        base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    return Path(os.path.expanduser(base)) / "certkit"  # noqa: PTH111  # Path's raises where there is no home
+
+
+def compile_loop() -> Code | None:
+    """Compile with numba; None where the code needs more than llvmlite and the C library to run."""
+    from numba import types  # noqa: PLC0415  # 0.7 s that a warm run does not pay
+
+    from certkit.mechanics.solver.compiling import lean  # noqa: PLC0415  # likewise
+    from certkit.mechanics.solver.kernel import march  # noqa: PLC0415  # likewise
+
+    dispatcher = lean(march)
+    dispatcher.compile((types.int64,))
+    result = dispatcher.overloads[types.int64,]
+    library, name = result.library, result.fndesc.llvm_func_name
+    module = library._final_module  # noqa: SLF001  # numba has no public way to an object file
+    asked = {f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")}
+    if not asked <= C_LIBRARY or len(list(module.get_function(name).arguments)) != 3:
+        return None
+    return Code(name, library._codegen._tm.emit_object(module))  # noqa: SLF001  # likewise
+
+
+def by_llvm(code: Code) -> Entry | None:
+    """Load an object file; None where LLVM cannot.
+
+    Numba's functions return a status, and their value through their first argument.
+    """
+    try:
+        target = llvm.Target.from_triple(llvm.get_process_triple())
+        engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target.create_target_machine(jit=True))
+        engine.add_object_file(llvm.ObjectFileRef.from_data(code.content))
+        engine.finalize_object()
+    except RuntimeError:
+        return None
+    place = engine.get_function_address(code.name)
+    if not place:
+        return None
+    function = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)(place)
+
+    def entry(address: int) -> tuple[int, int]:
+        value, exception = ctypes.c_int64(), ctypes.c_void_p()
+        status = function(ctypes.addressof(value), ctypes.addressof(exception), address)
+        return status, value.value
+
+    entry.engine = engine  # type: ignore[attr-defined]  # it owns the memory that the code stands in
+    return entry
+
+
+def by_numba() -> Entry:
+    """Compile for use in this process, by numba's own way in."""
+    from numba import njit  # noqa: PLC0415  # as above
+
+    from certkit.mechanics.solver.kernel import march  # noqa: PLC0415  # likewise
+
+    compiled = njit("int64(int64)", error_model="numpy")(march)
+    return lambda address: (0, int(compiled(address)))
+
+
+def _digest() -> str:
+    """Return what changes when anything does that the machine code depends on."""
+    features = llvm.get_host_cpu_features()
+    settings = sorted((name, value) for name, value in os.environ.items() if name.startswith("NUMBA_"))
+    host = (sys.platform, platform.machine(), llvm.get_host_cpu_name(), features.flatten())
+    programs = (_numba_version(), llvm.llvm_version_info, sys.version_info[:2])
+    digest = hashlib.sha256(repr((host, programs, settings)).encode())
+    for pattern in SOURCES:
+        for source in sorted(FOLDER.glob(pattern)):
+            digest.update(source.read_bytes())
+    return digest.hexdigest()
+
+
+def _numba_version() -> bytes:
+    """Return the file in which numba says its version: quicker read than through its metadata."""
+    found = find_spec("numba")
+    if found is None or found.origin is None:
+        raise RunError("numba is not installed; install certkit with its dependencies")
+    return Path(found.origin).with_name("_version.py").read_bytes()
+
+
+def _keep(file: Path, code: Code) -> None:
+    """Write down name and object file, with a digest of both before them. Where that is impossible, go on."""
+    content = code.name.encode() + b"\n" + code.content
+    try:
+        write_whole(file, hashlib.sha256(content).digest() + content)
+    except OSError as error:
+        _tell(f"the compiled solver could not be kept ({error}); the next run compiles again")
+
+
+def _read(file: Path) -> Code | None:
+    """Return what `_keep` wrote, or None where there is none or it is not as it was written."""
+    try:
+        data = file.read_bytes()
+    except OSError:
+        return None
+    digest, content = data[:32], data[32:]
+    if hashlib.sha256(content).digest() != digest:
+        return None
+    name, _, rest = content.partition(b"\n")
+    return Code(name.decode(), rest)
+
+
+def _tell(message: str) -> None:
+    """Say something on standard error where somebody watches."""
+    if sys.stderr.isatty():
+        print(message, file=sys.stderr)  # noqa: T201  # before any long silence, also from Python

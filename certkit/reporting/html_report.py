@@ -1,0 +1,86 @@
+"""The HTML page: one file, no network, nothing executed that data brought along.
+
+Its content security policy names our own style and script by their hashes, so a browser runs nothing else.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+from typing import TYPE_CHECKING
+
+from certkit._version import __version__
+from certkit.reporting.page_data import embedded, payload
+from certkit.reporting.result_view import unique_views
+from certkit.reporting.templating import fill, folder, text
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from certkit.documents.result import Result
+
+_SCRIPTS = ("scripts/curves.js", "scripts/motion.js", "scripts/page.js")
+
+
+def page(result: Result) -> str:
+    """Return the page of one result."""
+    return _page([result], [], f"{result.title} – {result.verdict}")
+
+
+def suite_page(results: Sequence[Result], title: str = "Certification suite") -> str:
+    """Return one page with an index line a procedure and all their reports below."""
+    views = unique_views(results)
+    lines: list[dict[str, object]] = [
+        {
+            "key": shown.key,
+            "procedure": shown.result.procedure,
+            "title": shown.result.title,
+            "verdict": shown.result.verdict,
+            "tally": shown.tally,
+            "nearest": shown.nearest,
+            "spark": shown.spark,
+            "id": shown.result.id,
+        }
+        for shown in views
+    ]
+    return _page(results, lines, title)
+
+
+def _page(results: Sequence[Result], index: Sequence[dict[str, object]], title: str) -> str:
+    style = page_style()
+    script = "(() => {\n" + "\n".join(text(name) for name in _SCRIPTS) + "})();"
+    return fill(
+        "page.html.j2",
+        title=title,
+        version=__version__,
+        policy=_policy(style, script),
+        style=style,
+        script=script,
+        index=index,
+        reports=[
+            (shown, embedded(payload(result)))
+            for shown, result in zip(unique_views(results), results, strict=True)
+        ],
+    )
+
+
+def page_style() -> str:
+    """Return the style sheet with its fonts inside: the subset files of the font's own maker."""
+    style = text("styles/page.css")
+    for key, name in (
+        ("regular", "Regular-Latin1"),
+        ("signs", "Regular-Pi"),
+        ("semibold", "SemiBold-Latin1"),
+    ):
+        data = base64.b64encode((folder() / "fonts" / f"IBMPlexSans-{name}.woff2").read_bytes()).decode()
+        style = style.replace("{{" + key + "}}", f"data:font/woff2;base64,{data}")
+    return style
+
+
+def _policy(style: str, script: str) -> str:
+    """Return the content security policy: no network, no code but ours."""
+    hashes = [base64.b64encode(hashlib.sha256(part.encode()).digest()).decode() for part in (style, script)]
+    return (
+        f"default-src 'none'; style-src 'sha256-{hashes[0]}'; script-src 'sha256-{hashes[1]}'; "
+        "font-src data:; img-src data:; base-uri 'none'; form-action 'none'"
+    )

@@ -1,0 +1,72 @@
+"""Which criterion came nearest to its limit: picked from the margins that grading wrote, not judged here."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from certkit.reporting.number_format import corridor, criterion_decimals, fixed
+
+if TYPE_CHECKING:
+    from certkit.documents.result import CriterionResult, Result
+
+
+def relative_margin(criterion: CriterionResult) -> float | None:
+    """Return the margin as a share of half the corridor, or of the limit where there is only one."""
+    margin = criterion.margin
+    if margin is None or not math.isfinite(margin):
+        return None
+    if criterion.lower is not None and criterion.upper is not None:
+        size = (criterion.upper - criterion.lower) / 2
+    else:
+        size = abs(criterion.upper if criterion.upper is not None else criterion.lower or 0.0)
+    return margin / size if size > 0 else None
+
+
+def worst(result: Result) -> CriterionResult | None:
+    """Return the graded criterion nearest to a limit or furthest beyond it, else any with a curve."""
+    rated = [(m, c) for c in result.criteria if c.graded and (m := relative_margin(c)) is not None]
+    if rated:
+        return min(rated, key=lambda pair: pair[0])[1]
+    drawn = [c for c in result.criteria if c.curve or (result.curves and c.channel in result.curves.series)]
+    return next((c for c in drawn if c.graded), drawn[0] if drawn else None)
+
+
+def margin_words(criterion: CriterionResult | None) -> str:
+    """Write `T4: 2.3 N·m inside 90 – 111 (22 % of the half-width)`, or a dash."""
+    if criterion is None or criterion.margin is None or not math.isfinite(criterion.margin):
+        return "–"
+    size = fixed(abs(criterion.margin), criterion_decimals(criterion))
+    side = "inside" if criterion.margin >= 0 else "outside"
+    words = f"{criterion.id}: {size} {criterion.unit} {side}"
+    if criterion.lower is None and criterion.upper is None:
+        return words
+    share = relative_margin(criterion)
+    whole = "half-width" if criterion.lower is not None and criterion.upper is not None else "limit"
+    words += f" {corridor(criterion.lower, criterion.upper)}"
+    return words + (f" ({abs(share) * 100:.0f} % of the {whole})" if share is not None else "")
+
+
+def nearest_words(criterion: CriterionResult | None) -> str:
+    """Write `Nearest to a limit: T4: …` or, where a limit was missed, `Furthest outside: PCL: …`."""
+    if criterion is None or criterion.margin is None or not math.isfinite(criterion.margin):
+        return ""
+    lead = "Nearest to a limit" if criterion.margin >= 0 else "Furthest outside"
+    return f"{lead}: {margin_words(criterion)}"
+
+
+def tally(result: Result) -> str:
+    """Write how the criteria came out: `7 of 7 graded criteria within corridor; 3 shown, not graded`."""
+    graded = [c for c in result.criteria if c.graded]
+    shown = len(result.criteria) - len(graded)
+    if not graded:
+        return f"No criterion could be graded; {shown} shown." if shown else "No criterion could be graded."
+    passed = sum(c.verdict == "pass" for c in graded)
+    noun = "criterion" if len(graded) == 1 else "criteria"
+    words = f"{passed} of {len(graded)} graded {noun} within corridor"
+    others = {
+        word: sum(c.verdict == word for c in graded)
+        for word in ("fail", "conditional", "not evaluated", "error")
+    }
+    words += "".join(f"; {count} {word}" for word, count in others.items() if count)
+    return words + (f"; {shown} shown, not graded." if shown else ".")

@@ -1,0 +1,120 @@
+"""The PDF certificate: PDF/A-3u by WeasyPrint, with its evidence attached, the same bytes every time.
+
+The embedded result document says everything; the pages show it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from dataclasses import dataclass
+from datetime import UTC, date, datetime, time
+from typing import TYPE_CHECKING, Literal
+
+from certkit._version import __version__
+from certkit.errors import UsageError
+from certkit.reporting.attachments import Enclosure, enclosures, manifest
+from certkit.reporting.pdf_engine import typeset, weasyprint
+from certkit.reporting.result_view import View, unique_views
+from certkit.reporting.templating import fill, text
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from certkit.documents.result import Result
+
+Paper = Literal["A4", "Letter"]
+
+FIXED_DATE = datetime(1980, 1, 1, tzinfo=UTC)
+"""Date written into a PDF when nobody gave one: the bytes must not depend on the clock."""
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """One certificate inside the PDF, with the files it carries."""
+
+    view: View
+    enclosures: list[Enclosure]
+
+
+def creation_date(results: Sequence[Result]) -> datetime:
+    """Return the date that the PDF bears.
+
+    `SOURCE_DATE_EPOCH` first, then the day a laboratory says it issued the certificate, else a fixed date.
+
+    Raises
+    ------
+    UsageError
+        When `SOURCE_DATE_EPOCH` is not a number of seconds.
+    """
+    epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
+    if epoch:
+        try:
+            return datetime.fromtimestamp(int(epoch), UTC)
+        except (ValueError, OverflowError, OSError) as error:
+            raise UsageError(
+                f"SOURCE_DATE_EPOCH is `{epoch}`; it takes a number of seconds since 1970"
+            ) from error
+    for result in results:
+        for section in (result.laboratory or {}).values():
+            issued = section.get("issued") if isinstance(section, dict) else None
+            with contextlib.suppress(ValueError):
+                if issued:
+                    return datetime.combine(date.fromisoformat(str(issued)[:10]), time(), UTC)
+    return FIXED_DATE
+
+
+def certificate(
+    results: Sequence[Result],
+    *,
+    paper: Paper = "A4",
+    title: str | None = None,
+    contents: bool = False,
+    created: datetime | None = None,
+) -> bytes:
+    """Render one certificate, or several bound together.
+
+    Parameters
+    ----------
+    results : sequence of Result
+        One chapter each.
+    paper : {'A4', 'Letter'}
+        Page size.
+    title : str, optional
+        Title of a bound suite; of the first result otherwise.
+    contents : bool
+        Begin with a table of contents.
+    created : datetime, optional
+        Date that the PDF bears; see `creation_date` for where it comes from otherwise.
+
+    Returns
+    -------
+    bytes
+        The PDF.
+
+    Raises
+    ------
+    RunError
+        When WeasyPrint or the Pango library that it draws text with is missing; says how to install them.
+    """
+    weasyprint()  # a missing library is said before any work is done
+    several = len(results) > 1
+    views = unique_views(results)
+    chapters = [
+        Chapter(shown, enclosures(shown.result, f"{shown.key}-" if several else "")) for shown in views
+    ]
+    listed = manifest([part for chapter in chapters for part in chapter.enclosures], [r.id for r in results])
+    created = created or creation_date(results)
+    html = fill(
+        "certificate.html.j2",
+        title=title or results[0].title,
+        version=__version__,
+        created=created.strftime("%Y-%m-%dT%H:%M:%SZ"),
+        style=text("styles/certificate.css"),
+        paper=paper,
+        chapters=chapters,
+        contents=contents,
+        manifest=listed,
+    )
+    parts = [*(part for chapter in chapters for part in chapter.enclosures), listed]
+    return typeset(html, parts, created)

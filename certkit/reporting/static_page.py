@@ -1,0 +1,31 @@
+"""Pages without a script: comparisons and logbooks, in the report's own style."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+
+from certkit._version import __version__
+from certkit.reporting.html_report import page_style
+from certkit.reporting.templating import fill
+
+
+def sheet(template: str, title: str, **values: object) -> str:
+    """Fill a template that extends `sheet.html.j2`.
+
+    Parameters
+    ----------
+    template : str
+        Its name.
+    title : str
+        Title of the page.
+    values : object
+        What the template shows; escaped, except drawings that it marks as our own.
+    """
+    style = page_style()
+    digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
+    policy = (
+        f"default-src 'none'; style-src 'sha256-{digest}'; font-src data:; img-src data:; "
+        "base-uri 'none'; form-action 'none'"
+    )
+    return fill(template, title=title, version=__version__, policy=policy, style=style, **values)

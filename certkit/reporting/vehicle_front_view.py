@@ -1,0 +1,54 @@
+"""The front of a vehicle, drawn: force on each face and force over shortening of each connection."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit.reporting.charts.lines import lines_chart
+
+if TYPE_CHECKING:
+    from certkit.documents.result import Front, Histories
+
+WIDTH, HEIGHT = 360.0, 220.0
+
+
+@dataclass(frozen=True)
+class FrontView:
+    """Drawings of a front, and its energies: (what, J received from the leg or absorbed), largest first."""
+
+    contact: str
+    displacement: str
+    springs: list[str]
+    received: list[tuple[str, float]]
+    absorbed: list[tuple[str, float]]
+
+
+def front_view(front: Front | None) -> FrontView | None:
+    """Draw what a front did; None where none was hit."""
+    if front is None or front.contact.count < 2:
+        return None
+    return FrontView(
+        contact=_over_time(front.contact, "Force of the leg on each face"),
+        displacement=_over_time(front.displacement, "Displacement of each group"),
+        springs=[
+            lines_chart(
+                [("history", [x for x, _ in curve.points], [f for _, f in curve.points])],
+                name,
+                f"{curve.x_title}, {curve.x_unit}",
+                curve.y_unit,
+                width=WIDTH,
+                height=HEIGHT,
+            )
+            for name, curve in front.springs.items()
+        ],
+        received=sorted(front.received.items(), key=lambda item: -item[1]),
+        absorbed=sorted(front.absorbed.items(), key=lambda item: -item[1]),
+    )
+
+
+def _over_time(histories: Histories, title: str) -> str:
+    axis = [(histories.start + k * histories.interval) * 1e3 for k in range(histories.count)]
+    lines = [(s.title, axis, s.values) for s in histories.series.values()]
+    unit = next(iter(histories.series.values())).unit
+    return lines_chart(lines, title, "ms", unit)

@@ -1,0 +1,208 @@
+"""The files a fit writes: the legform (and rigs) with the fitted numbers, the family, the report as JSON."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import yaml
+
+from certkit.definitions.loading.kinds import kind_of
+from certkit.definitions.loading.library import find
+from certkit.definitions.loading.overrides import ORIGIN, change
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.files import write_whole
+from certkit.studies.calibration.leg_family import passes
+from certkit.studies.quantity import written
+from certkit.studies.trial import scoped
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+    from certkit.studies.calibration.fit import Calibration
+
+LEG = "legform."
+NUMBER = {"value", "source", "confidence"}
+
+
+def write_fit(calibration: Calibration, folder: Path) -> list[Path]:
+    """Write `LEGFORM.yaml`, one `PROCEDURE.yaml` for every rig that was fitted too, and `fit.json`.
+
+    All numbers that were free carry the confidence `calibrated` and the fit's name.
+    """
+    task = calibration.task
+    overrides: dict[tuple[str, str], list[str]] = {("legform", task.sheet.legform): []}
+    for path, value in changes(calibration, calibration.shares):
+        scope, inner = scoped(path)
+        key = ("procedure", scope) if scope else ("legform", task.sheet.legform)
+        overrides.setdefault(key, []).append(f"{inner.removeprefix(LEG)}={value}")
+    paths = []
+    for (kind, name), changed in overrides.items():
+        paths.append(folder / f"{name}.yaml")
+        write_whole(paths[-1], _document(calibration, kind, name, changed))
+    paths.append(folder / "fit.json")
+    text = json.dumps(report(calibration), ensure_ascii=False, indent=1, allow_nan=False)
+    write_whole(paths[-1], text + "\n")
+    return paths
+
+
+def write_family(calibration: Calibration, members: NDArray[Any], path: Path) -> None:
+    """Write the family's file; members are numbered from 1."""
+    sheet = calibration.task.sheet
+    document = {
+        "family": sheet.legform,
+        "title": f"{len(members)} legs that pass as {sheet.legform} does",
+        "legform": sheet.legform,
+        "origin": {"source": _source(calibration) + ", family", "confidence": "calibrated"},
+        "procedures": [
+            target.procedure for target in sheet.targets if _is_graded(calibration, target.procedure)
+        ],
+        "members": [
+            {
+                "id": f"{number:02d}",
+                "values": {
+                    path.removeprefix(LEG): value
+                    for path, value in changes(calibration, row)
+                    if path.startswith(LEG)
+                },
+            }
+            for number, row in enumerate(members, 1)
+        ],
+    }
+    head = (
+        "# Legs with other numbers that pass every graded criterion as well, written by `certkit calibrate`\n"
+        f"# from the fit {sheet.fit}. The fitted leg is the base, and no member.\n"
+    )
+    write_whole(path, head + _yaml(document))
+
+
+def changes(calibration: Calibration, shares: NDArray[Any]) -> list[tuple[str, str]]:
+    """Return path, with its procedure before it where it has one, and quantity of all that a place sets."""
+    trial = calibration.task.trial
+    found = []
+    for name, value in calibration.task.space.point(shares).items():
+        scope, first = scoped(name)
+        for path, factor in ((first, 1.0), *trial.tied.get(name, ())):
+            number = value if factor == 1 else factor * value
+            found.append((f"{scope}/{path}" if scope else path, _short(number, trial.units[name])))
+    return found
+
+
+def report(calibration: Calibration) -> dict[str, Any]:
+    """Return the report of a fit as plain data."""
+    task, known = calibration.task, calibration.knowledge
+    return {
+        "schema": "certkit-fit/1",
+        "fit": task.sheet.fit,
+        "title": task.sheet.title,
+        "legform": task.sheet.legform,
+        "runs": calibration.runs,
+        "rms_before": calibration.rms(calibration.before),
+        "rms_after": calibration.rms(calibration.after),
+        "passes": passes(calibration.after, task.trial.procedures),
+        "values": [
+            {
+                "name": goal.name,
+                "unit": goal.unit,
+                "aim": goal.aim,
+                "counts_as_one": goal.scale,
+                "graded": goal.graded,
+                "before": calibration.before.outputs.get(goal.name),
+                "after": calibration.after.outputs.get(goal.name),
+                "distance_before": goal.distance(calibration.before.outputs.get(goal.name)),
+                "distance_after": goal.distance(calibration.after.outputs.get(goal.name)),
+            }
+            for goal in task.goals
+        ],
+        "parameters": [
+            {
+                "name": axis.name,
+                "unit": axis.unit,
+                "before": axis.start,
+                "after": axis.value(float(share)),
+                "deviation": known.deviations[axis.name],
+                "lower": axis.low,
+                "upper": axis.high,
+                "narrowed_to": known.narrowed[axis.name],
+                "determined": axis.name not in known.undetermined,
+                "reason": parameter.reason,
+            }
+            for axis, share, parameter in zip(
+                task.space.axes, calibration.shares, task.sheet.parameters, strict=True
+            )
+        ],
+        "correlations": [{"between": [a, b], "coefficient": c} for a, b, c in known.correlations],
+        "open_directions": [{"spread": d.spread, "parts": dict(d.parts)} for d in known.open],
+    }
+
+
+def _document(calibration: Calibration, kind: str, name: str, overrides: list[str]) -> str:
+    known = kind_of(kind)
+    found = find(known, name, [_folder(path) for path in calibration.task.trial.library])
+    tree, _ = change(read_tree(found.data, found.label), overrides, known.model)
+    data = _sourced(tree.data, {"source": _source(calibration), "confidence": "calibrated"})
+    head = f"# Written by `certkit calibrate` from {found.label} and the fit {calibration.task.sheet.fit}.\n"
+    return head + _yaml(data)
+
+
+def _folder(path: str) -> Path:
+    from pathlib import Path  # noqa: PLC0415  # beside its only use
+
+    return Path(path)
+
+
+def _source(calibration: Calibration) -> str:
+    targets = ", ".join(dict.fromkeys(target.procedure for target in calibration.task.sheet.targets))
+    return f"fit {calibration.task.sheet.fit} to {targets}"
+
+
+def _is_graded(calibration: Calibration, procedure: str) -> bool:
+    return calibration.after.outputs.get(f"{procedure}/verdict") == "pass"
+
+
+def _sourced(data: Any, origin: dict[str, str]) -> Any:  # noqa: ANN401  # plain YAML data
+    """Say of every changed number that it comes from the fit instead of the command line."""
+    if isinstance(data, dict):
+        if data.get("source") == ORIGIN["source"]:
+            return {**data, **origin}
+        return {key: _sourced(value, origin) for key, value in data.items()}
+    if isinstance(data, list):
+        return [_sourced(value, origin) for value in data]
+    return data
+
+
+def _short(value: float, unit: str) -> str:
+    return written(float(f"{value:.6g}"), unit)
+
+
+class _Dumper(yaml.SafeDumper):
+    """Numbers with their origin, and short lists, stand on one line."""
+
+
+def _mapping(dumper: _Dumper, data: dict[str, Any]) -> yaml.Node:
+    flow = set(data) <= NUMBER or set(data) == {"id", "values"}
+    return dumper.represent_mapping("tag:yaml.org,2002:map", data.items(), flow_style=flow)
+
+
+def _sequence(dumper: _Dumper, data: list[Any]) -> yaml.Node:
+    flow = not any(
+        isinstance(item, dict) and not set(item) <= {"value", "source", "confidence"} for item in data
+    )
+    return dumper.represent_sequence("tag:yaml.org,2002:seq", data, flow_style=flow)
+
+
+def _number(dumper: _Dumper, data: float) -> yaml.Node:
+    tag = "int" if isinstance(data, int) else "float"
+    return dumper.represent_scalar(f"tag:yaml.org,2002:{tag}", str(data))
+
+
+_Dumper.add_multi_representer(int, _number)
+_Dumper.add_multi_representer(float, _number)
+_Dumper.add_representer(dict, _mapping)
+_Dumper.add_representer(list, _sequence)
+
+
+def _yaml(document: dict[str, Any]) -> str:
+    return yaml.dump(document, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100_000)

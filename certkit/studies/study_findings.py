@@ -1,0 +1,259 @@
+"""`study`: carry out a study document over its procedures, and say what it found."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from certkit.definitions.loading.library import load
+from certkit.definitions.study import Study
+from certkit.errors import UsageError
+from certkit.reporting.plaintext import aligned
+from certkit.studies.designs import (
+    correlation_matrix,
+    full_factorial,
+    latin_hypercube,
+    one_at_a_time,
+    sobol_sequence,
+)
+from certkit.studies.factors import Factor, factor_of
+from certkit.studies.indices import morris_design, sobol_design
+from certkit.studies.run_table import ERROR, RUN, table_of
+from certkit.studies.runs import Runs
+from certkit.studies.trial import Trial
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    import pandas as pd
+
+    from certkit.definitions.study import Design
+    from certkit.studies.points import Point
+    from certkit.studies.quick_model import QuickModel
+    from certkit.studies.runs import Progress
+    from certkit.studies.scatter import Chance
+
+
+@dataclass(frozen=True)
+class Findings:
+    """What a study found.
+
+    Parameters
+    ----------
+    name, title, design : str
+    factors : tuple of Factor
+    table : DataFrame
+        One row a run; see `certkit.studies.run_table`.
+    effects : DataFrame
+        Main effects; see `certkit.studies.effects`.
+    indices : DataFrame, optional
+        Of a Morris or Sobol design.
+    models : list of QuickModel
+    chances : list of Chance
+        Probability of each graded criterion to stay inside, where the design scatters by distribution.
+    """
+
+    name: str
+    title: str
+    design: str
+    factors: tuple[Factor, ...]
+    table: pd.DataFrame
+    effects: pd.DataFrame
+    indices: pd.DataFrame | None = None
+    models: list[QuickModel] = field(default_factory=list)
+    chances: list[Chance] = field(default_factory=list)
+    output_units: dict[str, str] = field(default_factory=dict)
+
+    def words(self) -> str:
+        """Return the chances, or else the strongest effects, in some lines for a terminal."""
+        runs = f"{len(self.table)} runs" + (f", {self.failed} failed" if self.failed else "")
+        if self.chances:
+            heads = ("criterion", "inside", "probability", "95 % interval")
+            rows = [
+                (
+                    c.criterion,
+                    f"{c.inside} of {c.runs}",
+                    f"{c.probability:.3f}",
+                    f"{c.lower:.3f} to {c.upper:.3f}",
+                )
+                for c in self.chances
+            ]
+            return f"{aligned(heads, rows, right=(1, 2, 3))}\n{runs}"
+        strongest = self.effects.loc[self.effects.groupby("output", sort=False)["share"].idxmax()]
+        rows = [
+            (str(e["output"]), str(e["factor"]), f"{e['effect']:+.4g}", self.output_units[str(e["output"])])
+            for e in strongest.to_dict(orient="records")
+            if e["output"] in self.output_units
+        ]
+        heads = ("output", "moved most by", "effect", "unit")
+        return f"{aligned(heads, rows, right=(2,))}\n{runs}"
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Units of the factors' columns."""
+        return {factor.name: factor.unit for factor in self.factors}
+
+    @property
+    def failed(self) -> int:
+        """Number of runs that ended with an error."""
+        return int((self.table[ERROR] != "").sum())
+
+    def document(self) -> dict[str, Any]:
+        """Return everything but the table as plain data, for JSON."""
+        return {
+            "schema": "certkit-study/1",
+            "study": self.name,
+            "title": self.title,
+            "design": self.design,
+            "runs": len(self.table),
+            "failed": self.failed,
+            "factors": [
+                {"name": f.name, "unit": f.unit, "nominal": f.nominal, **_described(f)} for f in self.factors
+            ],
+            "effects": _records(self.effects),
+            "indices": None if self.indices is None else _records(self.indices),
+            "models": [asdict(model) for model in self.models],
+            "chances": [
+                {k: None if v != v else v for k, v in asdict(chance).items()}  # noqa: PLR0124  # NaN
+                for chance in self.chances
+            ],
+        }
+
+
+def study(
+    document: Study | str | Path,
+    *,
+    library: Sequence[Path] = (),
+    journal: Path | None = None,
+    processes: int | None = None,
+    cluster: str | None = None,
+    progress: Progress | None = None,
+) -> Findings:
+    """Carry out a study with a design.
+
+    Parameters
+    ----------
+    document : Study, str or Path
+        The study, or the name or path of its file.
+    library : sequence of Path
+        Folders with own definitions.
+    journal : Path, optional
+        Where finished runs are kept; a study that was interrupted goes on from there.
+    processes : int, optional
+        Workers on this machine, all cores by default.
+    cluster : str, optional
+        Address of a Dask scheduler to use instead.
+    progress : callable, optional
+        Told of every finished run: done, total, failed.
+
+    Returns
+    -------
+    Findings
+
+    Raises
+    ------
+    UsageError
+        When parameters and definitions do not fit together, before anything is run.
+    """
+    sheet = document if isinstance(document, Study) else load("study", document, library=library).document
+    if not isinstance(sheet, Study):
+        raise TypeError("not a study")
+    if sheet.design is None:
+        raise UsageError("only a study with a design can be carried out; an optimisation is searched")
+    trial, factors = set_up(sheet, library)
+    with Runs(
+        trial,
+        context=trial.context,
+        journal=journal,
+        processes=processes,
+        cluster=cluster,
+        progress=progress,
+    ) as runs:
+        return replace(carry_out(sheet, factors, runs), output_units=trial.output_units())
+
+
+def set_up(sheet: Study, library: Sequence[Path] = ()) -> tuple[Trial, list[Factor]]:
+    """Return a study's evaluation and its factors, after one check that every setting can be loaded."""
+    fixed = tuple(f"{path}={value}" for path, value in sheet.set.items())
+    names = tuple(str(Path(folder)) for folder in library)
+    bare = Trial(tuple(sheet.procedures), fixed=fixed, library=names)
+    nominals = bare.nominals()
+    factors = [factor_of(parameter, nominals) for parameter in sheet.parameters]
+    trial = replace(bare, units={f.name: f.unit for f in factors})
+    middle = {factor.name: factor.middle for factor in factors}
+    for procedure in sheet.procedures:
+        trial.prepared(procedure, middle)
+    return trial, factors
+
+
+def carry_out(sheet: Study, factors: Sequence[Factor], runs: Runs) -> Findings:
+    """Run a study's design with any evaluation and look at what came out."""
+    from certkit.studies.effects import main_effects, one_at_a_time_effects  # noqa: PLC0415  # pandas, scipy
+    from certkit.studies.indices import morris_indices, sobol_indices  # noqa: PLC0415  # likewise
+    from certkit.studies.quick_model import quick_models  # noqa: PLC0415  # likewise
+    from certkit.studies.scatter import chances  # noqa: PLC0415  # likewise
+
+    design = sheet.design
+    if design is None:
+        raise TypeError("this study has no design")
+    pairs = [(pair.between[0], pair.between[1], pair.coefficient) for pair in sheet.correlations]
+    points = points_of(design, factors, pairs)
+    table = table_of(points, runs(points))
+    outputs = numeric_outputs(table, factors)
+    kind = design.kind
+    find = one_at_a_time_effects if kind == "one at a time" else main_effects
+    indices = None
+    if kind == "morris":
+        indices = morris_indices(table, factors, outputs, design.seed)
+    elif kind == "sobol indices":
+        indices = sobol_indices(table, factors, outputs, design.seed)
+    scatters = kind in {"latin hypercube", "sobol sequence"}
+    return Findings(
+        name=sheet.study,
+        title=sheet.title,
+        design=kind,
+        factors=tuple(factors),
+        table=table,
+        effects=find(table, factors, outputs),
+        indices=indices,
+        models=quick_models(table, factors, outputs) if kind != "one at a time" else [],
+        chances=chances(table) if scatters else [],
+    )
+
+
+def points_of(
+    design: Design, factors: Sequence[Factor], pairs: Sequence[tuple[str, str, float]] = ()
+) -> list[Point]:
+    """Return the runs of a design."""
+    if design.kind == "one at a time":
+        return one_at_a_time(factors, design.levels)
+    if design.kind == "full factorial":
+        return full_factorial(factors, design.levels)
+    if design.kind == "morris":
+        return morris_design(factors, design.trajectories, design.seed)
+    if design.kind == "sobol indices":
+        return sobol_design(factors, design.samples, design.seed)
+    spread = latin_hypercube if design.kind == "latin hypercube" else sobol_sequence
+    return spread(factors, design.runs or 1, design.seed, correlation_matrix(factors, pairs))
+
+
+def numeric_outputs(table: pd.DataFrame, factors: Sequence[Factor]) -> list[str]:
+    """List the columns that are outputs and numbers; margins are left to the criteria they belong to."""
+    inputs = {factor.name for factor in factors} | {RUN, ERROR}
+    return [
+        str(name)
+        for name in table
+        if name not in inputs and table[name].dtype.kind == "f" and not str(name).endswith(" margin")
+    ]
+
+
+def _described(factor: Factor) -> dict[str, Any]:
+    return {"distribution": type(factor.distribution).__name__.lower(), **asdict(factor.distribution)}
+
+
+def _records(frame: pd.DataFrame) -> list[dict[str, Any]]:
+    return [
+        {str(k): None if v != v else v for k, v in row.items()}  # noqa: PLR0124  # NaN
+        for row in frame.astype(object).to_dict(orient="records")
+    ]
