@@ -8,7 +8,7 @@ from certkit.bench.regrade import embedded_shelf
 from certkit.bench.sources import Source, load_source
 from certkit.definitions.loading.library import load
 from certkit.documents.comparison import Side
-from certkit.grading.compare_tests import Test, side_by_side
+from certkit.grading.compare_tests import ComparedTest, side_by_side
 from certkit.signals import condition
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def _procedure(named: str | Path | None, sources: tuple[Source, ...], library: L
     return None
 
 
-def _test(source: Source, label: str, sheet: Procedure | None, *, lenient: bool) -> Test:
+def _test(source: Source, label: str, sheet: Procedure | None, *, lenient: bool) -> ComparedTest:
     recording, result = source.recording, source.result
     if sheet is not None:
         recording = condition(recording, sheet, lenient=lenient)
@@ -88,7 +88,7 @@ def _test(source: Source, label: str, sheet: Procedure | None, *, lenient: bool)
         verdict=result.verdict if result else None,
         id=result.id if result else "",
     )
-    return Test(side, recording, result)
+    return ComparedTest(side, recording, result)
 
 
 def _labels(first: Source, second: Source) -> tuple[str, str]:

@@ -13,7 +13,7 @@ from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.result import InputFile
-from certkit.exchange.measured import Measured, SourceFile
+from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.read import read_recording
 from certkit.grading import evaluate
 
@@ -110,12 +110,12 @@ def _mapping(path: Path | None) -> tuple[Mapping | None, list[InputFile]]:
     return mapping, [InputFile(role="mapping", path=path.name, sha256=digest, text=data.decode("utf-8-sig"))]
 
 
-def _recognised(path: Path) -> Measured | None:
+def _recognised(path: Path) -> MeasuredData | None:
     recording = recognised(path)
     if recording is None:
         return None
     source = SourceFile(path.name, hashlib.sha256(path.read_bytes()).hexdigest())
-    return Measured(recording, (source,))
+    return MeasuredData(recording, (source,))
 
 
 def _shown(data: Path, name: str) -> str:

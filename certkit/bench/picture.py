@@ -8,10 +8,10 @@ from certkit.documents.result import Motion, Shape
 
 if TYPE_CHECKING:
     from certkit.mechanics import Figure as MovingFigure
-    from certkit.mechanics import Motion as Film
+    from certkit.mechanics import RecordedMotion
 
 
-def picture(film: Film) -> Motion:
+def picture(film: RecordedMotion) -> Motion:
     """Write a film down for the result document; coordinates in metres, rounded by the document itself."""
     return Motion(
         times=film.times.tolist(),

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Self
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from certkit.definitions.loading.faults import Faults
-from certkit.definitions.loading.field_types import Shape, fields
+from certkit.definitions.loading.field_types import FieldType, fields
 from certkit.definitions.provenance import MIN_SOURCE, Confidence, Number, Origin, readable
 
 
@@ -80,7 +80,7 @@ class Sourced(Section):
         raise NotImplementedError
 
 
-def _with_origin(given: Any, shape: Shape | None, origin: dict[str, Any]) -> Any:  # noqa: ANN401  # raw YAML data
+def _with_origin(given: Any, shape: FieldType | None, origin: dict[str, Any]) -> Any:  # noqa: ANN401  # raw YAML data
     """Give `origin` to every number and section in `given` that has none of its own."""
     if shape is None:
         return given

@@ -86,7 +86,7 @@ class FamilySearch(Document):
     seed: Annotated[int, Field(ge=0)] = 1
 
 
-class Fit(Document):
+class CalibrationTask(Document):
     """A calibration: its result is a legform file whose numbers name this fit as their source."""
 
     fit: Annotated[str, Field(description="Its name.")]
@@ -99,7 +99,7 @@ class Fit(Document):
     notes: list[str] = []
 
     @model_validator(mode="after")
-    def _fits_together(self) -> Fit:
+    def _fits_together(self) -> CalibrationTask:
         names = [parameter.name for parameter in self.parameters]
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:

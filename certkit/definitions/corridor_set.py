@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Annotated, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -15,16 +15,20 @@ from certkit.definitions.units import alike, dimensions
 Point = tuple[str, str]
 
 
-class Entry(Sourced):
+class CorridorEntry(Sourced):
     """One corridor, limit or score; its origin is its own, or the set's."""
+
+    noun: ClassVar[str] = "entry"
 
     note: Annotated[str | None, Field(description="What a reader of the verdict should know about it.")] = (
         None
     )
 
 
-class Window(Entry):
+class ValueWindow(CorridorEntry):
     """A scalar corridor: `lower` ≤ value ≤ `upper`, in the channel's unit; either may be missing."""
+
+    noun: ClassVar[str] = "window"
 
     lower: str | None = None
     upper: str | None = None
@@ -44,8 +48,10 @@ class Window(Entry):
         return {"": f"{self.lower} to {self.upper}"}
 
 
-class Polygon(Entry):
+class Polygon(CorridorEntry):
     """A closed area in the plane of two channels that a curve must stay inside of; points are (x, y)."""
+
+    noun: ClassVar[str] = "polygon"
 
     x: Annotated[str, Field(description="Channel of the abscissa.")]
     y: Annotated[str, Field(description="Channel of the ordinate.")]
@@ -70,8 +76,10 @@ class Polygon(Entry):
         return {"": f"polygon of {len(self.points)} points"}
 
 
-class Band(Entry):
+class Band(CorridorEntry):
     """A corridor over time: lower and upper polylines of (time, value)."""
+
+    noun: ClassVar[str] = "band"
 
     lower: Annotated[list[Point] | None, Field(min_length=2, max_length=10_000)] = None
     upper: Annotated[list[Point] | None, Field(min_length=2, max_length=10_000)] = None
@@ -112,7 +120,7 @@ class Forfeit(Document):
     at: Annotated[str, Field(description="The value, with its unit; reaching it is enough.")]
 
 
-class Score(Entry):
+class Score(CorridorEntry):
     """Points on a sliding scale: full points up to `full`, none from `zero` on, linear between."""
 
     criteria: Annotated[list[str], Field(min_length=1, description="The worst of these criteria counts.")]
@@ -150,7 +158,7 @@ class CorridorSet(Section):
     impactor: Annotated[Literal["Flex-PLI", "aPLI"], Field(description="The legform they are for.")] = (
         "Flex-PLI"
     )
-    windows: dict[str, Window] = {}
+    windows: dict[str, ValueWindow] = {}
     polygons: dict[str, Polygon] = {}
     bands: dict[str, Band] = {}
     scores: dict[str, Score] = {}
@@ -175,7 +183,7 @@ class CorridorSet(Section):
             raise Faults(faults)
         return self
 
-    def entry(self, name: str) -> Window | Polygon | Band | None:
+    def entry(self, name: str) -> ValueWindow | Polygon | Band | None:
         """Return the corridor of that name; None where it is awaited.
 
         Raises

@@ -44,7 +44,7 @@ class SpringColumns(Section):
     shortening: str | None = None
 
 
-class Histories(Section):
+class HistoryFiles(Section):
     """The solver's files and how to read them."""
 
     format: Format
@@ -63,7 +63,7 @@ class Histories(Section):
     outlines: Annotated[str | None, Field(description="JSON with the front's outlines (x, z) in mm.")] = None
 
     @model_validator(mode="after")
-    def _mapped(self) -> Histories:
+    def _mapped(self) -> HistoryFiles:
         if self.format == "tidy csv" and not self.parts:
             raise ValueError(_MAPPING_NEEDED)
         return self
@@ -136,7 +136,7 @@ class Case(Section):
     case: Annotated[str, Field(description="Its name.")]
     title: str
     vehicle: Annotated[str | None, Field(description="Name of the vehicle that is written.")] = None
-    histories: Histories
+    histories: HistoryFiles
     groups: Annotated[dict[str, CaseGroup], Field(min_length=2, max_length=200)]
     paths: Annotated[list[Path], Field(min_length=1, max_length=2000)]
     material: Material | None = None

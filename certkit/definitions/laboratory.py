@@ -39,7 +39,7 @@ class Item(Document):
     received: date | None = None
 
 
-class Test(Document):
+class TestDetails(Document):
     """When it was tested, and under which number."""
 
     performed: date
@@ -65,7 +65,7 @@ class Sensor(Document):
     expires: date
 
 
-class Decision(Document):
+class LaboratoryDecision(Document):
     """How a value near its limit is decided (ILAC-G8:09/2019)."""
 
     rule: Literal["simple acceptance", "guard band"] = "simple acceptance"
@@ -82,10 +82,10 @@ class Laboratory(Document):
     logo: Annotated[str | None, Field(description="PNG or JPEG beside this file.")] = None
     customer: Customer | None = None
     item: Item
-    test: Test
+    test: TestDetails
     persons: Annotated[list[Person], Field(max_length=50)] = []
     sensors: Annotated[list[Sensor], Field(max_length=200)] = []
-    decision: Decision = Decision()
+    decision: LaboratoryDecision = LaboratoryDecision()
     uncertainties: Annotated[
         dict[str, str], Field(description="Expanded uncertainty U (k = 2) by channel: `T1: 4 N·m`.")
     ] = {}

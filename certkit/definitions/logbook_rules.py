@@ -78,7 +78,7 @@ class Overload(Sourced):
 Rule = Annotated[Interval | Count | Overload, Field(discriminator="rule")]
 
 
-class Trend(Document):
+class TrendRule(Document):
     """When a row of values is long enough to be judged."""
 
     at_least: Annotated[int, Field(ge=3, le=1000, description="Tests of one kind.")] = 5
@@ -90,4 +90,4 @@ class LogbookRules(Document):
     logbook: Annotated[str, Field(description="Name of the rules.")]
     title: str
     rules: Annotated[list[Rule], Field(min_length=1, max_length=50)]
-    trend: Trend = Trend()
+    trend: TrendRule = TrendRule()

@@ -79,7 +79,7 @@ class Number(float):
         return (Number, (float(self), self.text, self.source, self.confidence))
 
 
-class Dimension:
+class QuantityDimension:
     """Makes pydantic read a `Number` of one dimension: `Annotated[Number, Dimension("length")]`.
 
     In YAML the number is a mapping `{value: 25 mm, source: …, confidence: …}`, or just `25 mm` inside a
@@ -160,22 +160,22 @@ class Dimension:
         }
 
 
-Length = Annotated[Number, Dimension("length")]
-Mass = Annotated[Number, Dimension("mass")]
-Time = Annotated[Number, Dimension("time")]
-Angle = Annotated[Number, Dimension("angle")]
-Speed = Annotated[Number, Dimension("speed")]
-Acceleration = Annotated[Number, Dimension("acceleration")]
-Force = Annotated[Number, Dimension("force")]
-Moment = Annotated[Number, Dimension("moment")]
-Stiffness = Annotated[Number, Dimension("stiffness")]
-Damping = Annotated[Number, Dimension("damping")]
-RotationalStiffness = Annotated[Number, Dimension("rotational stiffness")]
-BendingStiffness = Annotated[Number, Dimension("bending stiffness")]
-Inertia = Annotated[Number, Dimension("inertia")]
-Pressure = Annotated[Number, Dimension("pressure")]
-FoundationStiffness = Annotated[Number, Dimension("foundation stiffness")]
-LineLoad = Annotated[Number, Dimension("line load")]
-Frequency = Annotated[Number, Dimension("frequency")]
-Temperature = Annotated[Number, Dimension("temperature")]
-Ratio = Annotated[Number, Dimension("ratio")]
+Length = Annotated[Number, QuantityDimension("length")]
+Mass = Annotated[Number, QuantityDimension("mass")]
+Time = Annotated[Number, QuantityDimension("time")]
+Angle = Annotated[Number, QuantityDimension("angle")]
+Speed = Annotated[Number, QuantityDimension("speed")]
+Acceleration = Annotated[Number, QuantityDimension("acceleration")]
+Force = Annotated[Number, QuantityDimension("force")]
+Moment = Annotated[Number, QuantityDimension("moment")]
+Stiffness = Annotated[Number, QuantityDimension("stiffness")]
+Damping = Annotated[Number, QuantityDimension("damping")]
+RotationalStiffness = Annotated[Number, QuantityDimension("rotational stiffness")]
+BendingStiffness = Annotated[Number, QuantityDimension("bending stiffness")]
+Inertia = Annotated[Number, QuantityDimension("inertia")]
+Pressure = Annotated[Number, QuantityDimension("pressure")]
+FoundationStiffness = Annotated[Number, QuantityDimension("foundation stiffness")]
+LineLoad = Annotated[Number, QuantityDimension("line load")]
+Frequency = Annotated[Number, QuantityDimension("frequency")]
+Temperature = Annotated[Number, QuantityDimension("temperature")]
+Ratio = Annotated[Number, QuantityDimension("ratio")]

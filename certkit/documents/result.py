@@ -65,7 +65,7 @@ class CurveInPlane(Part):
     polygon: Points | None = None
 
 
-class Band(Part):
+class CorridorOverTime(Part):
     """A corridor over time in the criterion's unit: polylines of (time in s, value)."""
 
     lower: Points | None = None
@@ -98,7 +98,7 @@ class CriterionResult(Part):
     uncertainty: Uncertainty | None = None
     spread: Spread | None = None
     curve: CurveInPlane | None = None
-    band: Band | None = None
+    band: CorridorOverTime | None = None
 
 
 class PreconditionResult(Part):

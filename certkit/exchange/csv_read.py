@@ -16,7 +16,7 @@ from certkit.exchange.conditions import mapped_conditions, read_condition
 from certkit.exchange.container import read_bounded
 from certkit.exchange.csv_table import CsvTable, cut
 from certkit.exchange.data_units import factor, quantity, table_dimension
-from certkit.exchange.measured import Leniency, Measured, SourceFile
+from certkit.exchange.measured import Leniency, MeasuredData, SourceFile
 from certkit.exchange.samples import read_samples, read_with_gaps
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import TimeBase, base_of_times
@@ -34,7 +34,7 @@ FILTERS: tuple[Filter, ...] = get_args(Filter)
 _HEAD = re.compile(r"(.+?)\s*[\[(]([^\])]*)[\])]")
 
 
-def read_csv(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> Measured:
+def read_csv(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> MeasuredData:
     """Read a CSV recording.
 
     Parameters
@@ -72,7 +72,7 @@ def read_csv(path: Path, mapping: Mapping | None = None, *, lenient: bool = Fals
         source=path.name,
     )
     source = SourceFile(path.name, hashlib.sha256(data).hexdigest())
-    return Measured(recording, (source,), tuple(leniency.assumptions))
+    return MeasuredData(recording, (source,), tuple(leniency.assumptions))
 
 
 def _own_heads(table: CsvTable, leniency: Leniency) -> tuple[TimeColumn, dict[str, Column]]:

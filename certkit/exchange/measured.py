@@ -22,7 +22,7 @@ class SourceFile:
 
 
 @dataclass(frozen=True)
-class Measured:
+class MeasuredData:
     """A recording with where it came from.
 
     Parameters
@@ -46,7 +46,7 @@ class Measured:
 class Leniency:
     """Strict: the first departure from the standard is an error. Lenient: each becomes a listed assumption.
 
-    The one object with state in this room; a reader makes one per test and hands its list over in `Measured`.
+    The one object with state in this room; a reader makes one per test and hands its list over.
     """
 
     def __init__(self, *, lenient: bool) -> None:

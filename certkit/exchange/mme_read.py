@@ -20,7 +20,7 @@ from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.conditions import mapped_conditions, mme_conditions
 from certkit.exchange.container import Container, open_container
 from certkit.exchange.limits import MAX_CHANNELS
-from certkit.exchange.measured import Leniency, Measured, SourceFile
+from certkit.exchange.measured import Leniency, MeasuredData, SourceFile
 from certkit.exchange.mme_channel import MmeChannel, read_channel
 from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.text import decode
@@ -77,7 +77,7 @@ class _Texts:
         return text
 
 
-def read_mme(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> Measured:
+def read_mme(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> MeasuredData:
     """Read a container.
 
     Parameters
@@ -121,7 +121,7 @@ def read_mme(path: Path, mapping: Mapping | None = None, *, lenient: bool = Fals
     )
     shown = {words: line.value for words in _SHOWN if (line := header.find(words))}
     files = tuple(sorted(texts.files, key=lambda x: x.name))
-    return Measured(recording, files, tuple(leniency.assumptions), shown)
+    return MeasuredData(recording, files, tuple(leniency.assumptions), shown)
 
 
 def _only(container: Container, suffix: str, path: Path) -> str:

@@ -12,10 +12,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.definitions.channel_mapping import Mapping
-    from certkit.exchange.measured import Measured
+    from certkit.exchange.measured import MeasuredData
 
 
-def read_recording(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> Measured:
+def read_recording(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> MeasuredData:
     """Read a measured test: an ISO-MME folder, zip archive or `.mme` file, or a CSV file.
 
     Parameters

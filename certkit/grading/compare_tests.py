@@ -33,7 +33,7 @@ NOTHING = 0.01
 
 
 @dataclass(frozen=True)
-class Test:
+class ComparedTest:
     """One test to be compared: its words, its conditioned recording, its criteria where it was graded."""
 
     side: Side
@@ -41,7 +41,9 @@ class Test:
     result: Result | None = None
 
 
-def side_by_side(reference: Test, other: Test, *, until: float | None = None) -> ComparisonDocument:
+def side_by_side(
+    reference: ComparedTest, other: ComparedTest, *, until: float | None = None
+) -> ComparisonDocument:
     """Compare two tests from first contact on.
 
     Parameters
@@ -106,7 +108,7 @@ def _interval(a: Recording, b: Recording, until: float | None) -> tuple[float, f
     return begin, end
 
 
-def _step(a: Test, b: Test) -> float:
+def _step(a: ComparedTest, b: ComparedTest) -> float:
     """Return the step of the common axis: the method's 0.1 ms, or that of slow (static) tests."""
     slowest = max(a.recording.interval, b.recording.interval)
     return INTERVAL if slowest <= SLOWEST else slowest
@@ -131,7 +133,9 @@ def _pair(
 
 
 def _rows(
-    reference: Test, other: Test, curves: Mapping[str, tuple[NDArray[np.float64], NDArray[np.float64], str]]
+    reference: ComparedTest,
+    other: ComparedTest,
+    curves: Mapping[str, tuple[NDArray[np.float64], NDArray[np.float64], str]],
 ) -> tuple[list[ComparisonRow], list[str]]:
     """Make the error table: of criteria where both were graded by one procedure, else of peaks."""
     pairs = _criteria(reference.result, other.result)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.definitions.channels import TIME, Dimension
-from certkit.definitions.corridor_set import Band, Polygon, Window
+from certkit.definitions.corridor_set import Band, Polygon, ValueWindow
 from certkit.errors import UsageError
 from certkit.grading.measure import channel_name, quantity
 
@@ -43,7 +43,7 @@ class Corridor:
     """
 
     name: str
-    entry: Window | Polygon | Band
+    entry: ValueWindow | Polygon | Band
     source: str
     confidence: Confidence
 
@@ -80,16 +80,18 @@ def find_corridor(criterion: Criterion, corridors: Mapping[str, CorridorSet]) ->
     if entry_name not in found.entries:
         return Missing(f"the corridor set `{name}` has no `{entry_name}`", required=True)
     entry = found.entry(entry_name)
-    wanted = KINDS.get(criterion.measure, Window)
+    wanted = KINDS.get(criterion.measure, ValueWindow)
     if not isinstance(entry, wanted):
         raise UsageError(
-            f"criterion {criterion.id}: `{criterion.measure}` needs a {wanted.__name__.lower()}, "
-            f"but {criterion.corridor} is a {type(entry).__name__.lower()}"
+            f"criterion {criterion.id}: `{criterion.measure}` needs a {wanted.noun}, "
+            f"but {criterion.corridor} is a {entry.noun if entry else 'missing'}"
         )
     return Corridor(criterion.corridor, entry, entry.source or "", entry.confidence or "estimated")
 
 
-def limits(corridor: Corridor, window: Window, dimension: Dimension) -> tuple[float | None, float | None]:
+def limits(
+    corridor: Corridor, window: ValueWindow, dimension: Dimension
+) -> tuple[float | None, float | None]:
     """Return lower and upper limit, SI; None where there is none."""
     where = f"corridor {corridor.name}"
     return (

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.definitions.corridor_set import Band as BandCorridor
-from certkit.definitions.corridor_set import Polygon, Window
+from certkit.definitions.corridor_set import Polygon, ValueWindow
 from certkit.documents.channel_curves import MOST_POINTS, plane_points
-from certkit.documents.result import Band, CriterionResult, CurveInPlane, Uncertainty
+from certkit.documents.result import CorridorOverTime, CriterionResult, CurveInPlane, Uncertainty
 from certkit.grading.corridor_distance import band_distance, end_faces, polygon_distance, refined
 from certkit.grading.corridors import Corridor, Missing, band_lines, find_corridor, limits, polygon_corners
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule, decide
-from certkit.grading.measure import Measured, channel_name
+from certkit.grading.measure import MeasuredValue, channel_name
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -65,7 +65,7 @@ class _Held:
     pictures: Mapping[str, Any] = field(default_factory=dict)
 
 
-def grade_criterion(criterion: Criterion, measured: Measured, judgement: Judgement) -> CriterionResult:
+def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Judgement) -> CriterionResult:
     """Grade one criterion.
 
     Parameters
@@ -153,15 +153,17 @@ def _scaled(value: float | None, scale: float) -> float | None:
     return None if value is None else value * scale
 
 
-def _hold(criterion: Criterion, measured: Measured, dimension: Dimension, corridor: Corridor | None) -> _Held:
+def _hold(
+    criterion: Criterion, measured: MeasuredValue, dimension: Dimension, corridor: Corridor | None
+) -> _Held:
     """Bring value and limits together; a whole curve's value is its distance to the border, the limit 0."""
     entry = None if corridor is None else corridor.entry
     trace = measured.trace
     if trace is None:
-        if corridor is None or not isinstance(entry, Window):
+        if corridor is None or not isinstance(entry, ValueWindow):
             return _Held(measured.value, measured.time)
         return _Held(measured.value, measured.time, *limits(corridor, entry, dimension))
-    if corridor is None or isinstance(entry, Window) or entry is None:
+    if corridor is None or isinstance(entry, ValueWindow) or entry is None:
         return _shown_only(trace, criterion.measure)
     if isinstance(entry, Polygon):
         return _inside_polygon(trace, polygon_corners(corridor, entry, criterion, trace))
@@ -205,7 +207,9 @@ def _inside_band(trace: Trace, corridor: Corridor, band: BandCorridor) -> _Held:
     """Hold a channel against a corridor over time."""
     lower, upper = band_lines(corridor, band, trace.y_dimension)
     pictures = {
-        "band": Band(**{side: _points(line, trace.y_dimension) for side, line in _sides(lower, upper)})
+        "band": CorridorOverTime(
+            **{side: _points(line, trace.y_dimension) for side, line in _sides(lower, upper)}
+        )
     }
     reach = [(line[0, 0], line[-1, 0]) for _, line in _sides(lower, upper)]
     begin, end = min(r[0] for r in reach), max(r[1] for r in reach)

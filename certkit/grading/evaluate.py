@@ -14,7 +14,7 @@ from certkit.errors import DataError
 from certkit.grading.corridors import IMPACTOR
 from certkit.grading.criterion import Judgement, grade_criterion
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
-from certkit.grading.measure import Measured, NoInterval, Window, channel_name, measure
+from certkit.grading.measure import EvaluationWindow, MeasuredValue, NoInterval, channel_name, measure
 from certkit.grading.preconditions import grade_preconditions
 from certkit.grading.reference_errors import compare
 from certkit.grading.remarks import remarks
@@ -52,9 +52,9 @@ class _Taken:
     """What was measured on a conditioned recording."""
 
     filtered: Filtered
-    window: Window
+    window: EvaluationWindow
     interval: AssessmentInterval | NoInterval
-    values: Mapping[str, Measured] = field(default_factory=dict)
+    values: Mapping[str, MeasuredValue] = field(default_factory=dict)
 
 
 def evaluate(  # noqa: PLR0913  # everything that a result carries comes in here
@@ -225,7 +225,7 @@ def _take(procedure: Procedure, recording: Recording) -> _Taken:
     static = procedure.rig.loading_ram is not None
     start = float(recording.time[0]) if static and recording.time.size else 0.0
     end = float(recording.time[-1]) if recording.time.size else 0.0
-    window = Window(start, end if static or until is None else min(end, float(until)))
+    window = EvaluationWindow(start, end if static or until is None else min(end, float(until)))
     values = {c.id: measure(c, filtered, window, interval) for c in procedure.criteria}
     return _Taken(filtered, window, interval, values)
 

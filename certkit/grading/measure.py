@@ -47,7 +47,7 @@ class Trace:
 
 
 @dataclass(frozen=True)
-class Measured:
+class MeasuredValue:
     """What was measured.
 
     Parameters
@@ -77,7 +77,7 @@ class NoInterval:
 
 
 @dataclass(frozen=True)
-class Window:
+class EvaluationWindow:
     """The part of the recording that counts, s; both ends belong to it."""
 
     start: float
@@ -105,8 +105,11 @@ def quantity(text: str, dimension: Dimension, where: str) -> float:
 
 
 def measure(
-    criterion: Criterion, filtered: Filtered, window: Window, interval: AssessmentInterval | NoInterval
-) -> Measured:
+    criterion: Criterion,
+    filtered: Filtered,
+    window: EvaluationWindow,
+    interval: AssessmentInterval | NoInterval,
+) -> MeasuredValue:
     """Measure a criterion.
 
     Parameters
@@ -134,21 +137,21 @@ def measure(
     dimension = known.dimension if known is not None else kind.dimension if kind is not None else None
     if criterion.interval == "assessment interval":
         if isinstance(interval, NoInterval):
-            return Measured(None, None, dimension, interval.reason)
-        window = Window(max(window.start, interval.start), min(window.end, interval.end))
+            return MeasuredValue(None, None, dimension, interval.reason)
+        window = EvaluationWindow(max(window.start, interval.start), min(window.end, interval.end))
     try:
         trace = _trace(criterion, filtered, window)
     except DataError as error:
-        return Measured(None, None, dimension, str(error))
+        return MeasuredValue(None, None, dimension, str(error))
     if criterion.measure in {"curve in polygon", "curve in band"}:
-        return Measured(None, None, trace.y_dimension, trace=trace)
+        return MeasuredValue(None, None, trace.y_dimension, trace=trace)
     if criterion.measure == "value at":
         return _value_at(criterion, filtered, trace, window)
     index = _EXTREMES[criterion.measure](trace.y)
     value, time = float(trace.y[index]), float(trace.time[index])
     if criterion.measure == "time of max":
-        return Measured(time, time, TIME)
-    return Measured(abs(value) if criterion.measure == "max abs" else value, time, trace.y_dimension)
+        return MeasuredValue(time, time, TIME)
+    return MeasuredValue(abs(value) if criterion.measure == "max abs" else value, time, trace.y_dimension)
 
 
 _EXTREMES: dict[str, Callable[[NDArray[np.float64]], int]] = {
@@ -167,7 +170,7 @@ def _ordinate(criterion: Criterion) -> str:
     return name
 
 
-def _trace(criterion: Criterion, filtered: Filtered, window: Window) -> Trace:
+def _trace(criterion: Criterion, filtered: Filtered, window: EvaluationWindow) -> Trace:
     """Cut the criterion's channels to the window.
 
     Raises
@@ -193,7 +196,9 @@ def _trace(criterion: Criterion, filtered: Filtered, window: Window) -> Trace:
     return Trace(time[inside], across[inside], values[inside], x.title, y.title, x.dimension, y.dimension)
 
 
-def _value_at(criterion: Criterion, filtered: Filtered, trace: Trace, window: Window) -> Measured:
+def _value_at(
+    criterion: Criterion, filtered: Filtered, trace: Trace, window: EvaluationWindow
+) -> MeasuredValue:
     """Read the channel where another one first reaches a value, by straight lines between samples."""
     if criterion.at is None:
         raise UsageError(f"criterion {criterion.id}: `value at` needs `at: {{channel: …, equals: …}}`")
@@ -202,12 +207,12 @@ def _value_at(criterion: Criterion, filtered: Filtered, trace: Trace, window: Wi
     try:
         path = _trace(guide, filtered, window)
     except DataError as error:
-        return Measured(None, None, trace.y_dimension, str(error))
+        return MeasuredValue(None, None, trace.y_dimension, str(error))
     level = quantity(criterion.at.equals, path.y_dimension, f"criterion {criterion.id}, `at`")
     sign = -1.0 if level < 0 else 1.0
     reached = np.flatnonzero(sign * path.y >= sign * level - REACHED * abs(level))
     if not reached.size:
-        return Measured(None, None, trace.y_dimension, f"{name} never reaches {criterion.at.equals}")
+        return MeasuredValue(None, None, trace.y_dimension, f"{name} never reaches {criterion.at.equals}")
     index = int(reached[0])
     share = 1.0
     if index > 0:
@@ -216,4 +221,4 @@ def _value_at(criterion: Criterion, filtered: Filtered, trace: Trace, window: Wi
     previous = max(index - 1, 0)
     value = trace.y[previous] + share * (trace.y[index] - trace.y[previous])
     time = trace.time[previous] + share * (trace.time[index] - trace.time[previous])
-    return Measured(float(value), float(time), trace.y_dimension)
+    return MeasuredValue(float(value), float(time), trace.y_dimension)

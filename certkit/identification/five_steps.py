@@ -23,7 +23,7 @@ from certkit.identification.displacement import group_displacements, shortening
 from certkit.identification.grouping import Graph, build_graph
 from certkit.identification.material import MOST_SPREAD, convert, front_spread, parse_area
 from certkit.identification.sampling import Grid, make_grid
-from certkit.identification.stiffness import Fit, fit_law
+from certkit.identification.stiffness import SpringFit, fit_law
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -88,7 +88,7 @@ def extract(
     warnings: list[str] = []
     notes = [*case.notes, *steps.data.histories.notes]
     largest = max(float(np.max(np.abs(flow.impulse))) for flow in steps.flows)
-    fits: dict[str, Fit] = {}
+    fits: dict[str, SpringFit] = {}
     for flow in steps.flows:
         if not flow.link.law:
             continue
@@ -157,7 +157,7 @@ def _first_four(case: Case, data: FrontData) -> _Steps:
     )
 
 
-def _fit(flow: Flow, steps: _Steps) -> Fit | None:
+def _fit(flow: Flow, steps: _Steps) -> SpringFit | None:
     x = shortening(flow.link, steps.displacements)
     if flow.link.start is not None and not flow.link.tension:
         x = x - flow.link.start
@@ -189,7 +189,7 @@ def _closure_warnings(steps: _Steps) -> list[str]:
 
 
 def _material(
-    case: Case, steps: _Steps, fits: dict[str, Fit], folder: Path, warnings: list[str]
+    case: Case, steps: _Steps, fits: dict[str, SpringFit], folder: Path, warnings: list[str]
 ) -> tuple[MaterialResult | None, dict[str, str]]:
     """Convert to stress–strain where the crush is uniform; say why not where it is not."""
     material = case.material
@@ -242,7 +242,7 @@ def _group_result(name: str, steps: _Steps) -> GroupResult:
     )
 
 
-def _path_result(flow: Flow, fit: Fit | None, steps: _Steps) -> PathResult:
+def _path_result(flow: Flow, fit: SpringFit | None, steps: _Steps) -> PathResult:
     force = flow.force
     error = None
     if flow.recorded is not None and flow.known_by == BY_MOMENTUM:
@@ -270,7 +270,7 @@ def _path_result(flow: Flow, fit: Fit | None, steps: _Steps) -> PathResult:
     )
 
 
-def _law_result(fit: Fit) -> LawResult:
+def _law_result(fit: SpringFit) -> LawResult:
     law = fit.law
     return LawResult(
         shortening=law.shortening,

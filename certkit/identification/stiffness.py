@@ -51,7 +51,7 @@ STARTS = ((1.5, 0.05, 0.0), (4.0, 0.3, 0.0), (12.0, 0.1, 0.2), (4.0, 0.0, 0.0))
 
 
 @dataclass(frozen=True)
-class Fit:
+class SpringFit:
     """A path's law and how well it repeats the history it came from.
 
     Parameters
@@ -68,7 +68,7 @@ class Fit:
     unloaded: bool
 
 
-def fit_law(x: Values, v: Values, force: Values, *, tension: bool) -> Fit | None:
+def fit_law(x: Values, v: Values, force: Values, *, tension: bool) -> SpringFit | None:
     """Find the law of one path.
 
     Parameters
@@ -97,17 +97,17 @@ def fit_law(x: Values, v: Values, force: Values, *, tension: bool) -> Fit | None
     return replace(fit, law=_continued(_simplified(fit.law, SIMPLIFY + 5e-4 * fit.misfit)))
 
 
-def _fitted(problem: _Problem) -> Fit:
+def _fitted(problem: _Problem) -> SpringFit:
     if not problem.unloads:
         law = problem.law(Branch(4.0 * problem.secant), 0.0)
-        return Fit(law, problem.misfit(law), unloaded=False)
+        return SpringFit(law, problem.misfit(law), unloaded=False)
     bare = problem.best(STARTS)
     branch = bare.branch
     start = (branch.stiffness / problem.secant, branch.residual, branch.permanent_set, 0.1)
     damped = problem.best((start,))
     keep = problem.misfit(damped) < DAMPER_GAIN * problem.misfit(bare)
     law = damped if keep else bare
-    return Fit(law, problem.misfit(law), unloaded=True)
+    return SpringFit(law, problem.misfit(law), unloaded=True)
 
 
 class _Problem:

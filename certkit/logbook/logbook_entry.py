@@ -27,7 +27,7 @@ class Reading:
 
 
 @dataclass(frozen=True)
-class Entry:
+class LogbookEntry:
     """A test of one legform.
 
     Parameters
@@ -62,7 +62,7 @@ class Entry:
         return self.day, [(0, int(p), "") if p.isdigit() else (1, 0, p) for p in parts], self.id
 
 
-def entry_of(result: Result, place: str) -> Entry:
+def entry_of(result: Result, place: str) -> LogbookEntry:
     """Take a logbook's line from a document.
 
     Parameters
@@ -88,7 +88,7 @@ def entry_of(result: Result, place: str) -> Entry:
     except ValueError as error:
         raise DataError(f"{place}: `test: performed` is no date; grade the test with --lab") from error
     number = test.get("number") if isinstance(test, dict) else None
-    return Entry(
+    return LogbookEntry(
         id=result.id,
         serial=serial.strip(),
         day=day,

@@ -15,7 +15,7 @@ from certkit.errors import DataError
 from certkit.exchange.container import read_bounded
 from certkit.files import write_whole
 from certkit.grading import from_json
-from certkit.logbook.logbook_entry import Entry, Reading, entry_of
+from certkit.logbook.logbook_entry import LogbookEntry, Reading, entry_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -56,7 +56,7 @@ class Logbook:
             rows = database.execute("SELECT DISTINCT serial FROM tests ORDER BY serial").fetchall()
         return [row[0] for row in rows]
 
-    def entries(self, serial: str) -> list[Entry]:
+    def entries(self, serial: str) -> list[LogbookEntry]:
         """Return a legform's tests in the order in which they were done."""
         with closing(self._open()) as database:
             tests = database.execute(
@@ -72,7 +72,7 @@ class Logbook:
         for test, *values in rows:
             readings.setdefault(test, []).append(Reading(*values))
         found = [
-            Entry(
+            LogbookEntry(
                 id_,
                 leg,
                 date.fromisoformat(day),
@@ -106,7 +106,7 @@ class Logbook:
         return database
 
 
-def add(logbook: Logbook, documents: Iterable[Path]) -> tuple[list[Entry], list[Entry]]:
+def add(logbook: Logbook, documents: Iterable[Path]) -> tuple[list[LogbookEntry], list[LogbookEntry]]:
     """Put result documents into the logbook; all or none.
 
     Parameters
@@ -179,7 +179,7 @@ def _exists(logbook: Logbook) -> bool:
     return logbook.index.is_file() or (logbook.folder / DOCUMENTS).is_dir()
 
 
-def _read(path: Path) -> tuple[Entry, bytes]:
+def _read(path: Path) -> tuple[LogbookEntry, bytes]:
     content = read_bounded(path)
     result = from_json(content, str(path))
     if certificate_id(result) != result.id:
@@ -187,7 +187,7 @@ def _read(path: Path) -> tuple[Entry, bytes]:
     return entry_of(result, str(path)), content
 
 
-def _file_name(entry: Entry) -> str:
+def _file_name(entry: LogbookEntry) -> str:
     """Return a document's file name: readable, and only of characters that every file system takes.
 
     Two serials that differ in other characters only are told apart by the id at its end.
@@ -197,7 +197,7 @@ def _file_name(entry: Entry) -> str:
     return f"{words[:120]}_{re.sub(r'[^A-Za-z0-9-]', '', entry.id)[:40]}{digest}.json"
 
 
-def _insert(database: sqlite3.Connection, entries: Iterable[Entry]) -> None:
+def _insert(database: sqlite3.Connection, entries: Iterable[LogbookEntry]) -> None:
     for entry in entries:
         database.execute(
             "INSERT OR REPLACE INTO tests VALUES (?, ?, ?, ?, ?, ?, ?)",

@@ -13,7 +13,7 @@ from certkit.documents.logbook_overview import Trend
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.logbook.logbook_entry import Entry, Reading
+    from certkit.logbook.logbook_entry import LogbookEntry, Reading
 
 INDIVIDUALS = 2.66
 """Control limits: mean ± 2.66 · mean moving range, three standard deviations (ISO 7870-2)."""
@@ -24,7 +24,7 @@ HORIZON = 3653
 YEAR = 365.25
 
 
-def trends(entries: Sequence[Entry], at_least: int) -> list[Trend]:
+def trends(entries: Sequence[LogbookEntry], at_least: int) -> list[Trend]:
     """Return the trends of one legform, by procedure and criterion in the order of first appearance.
 
     Only tests of the same rig can show a drift of the legform, so the caller leaves out vehicle tests.

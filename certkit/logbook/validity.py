@@ -14,13 +14,13 @@ if TYPE_CHECKING:
     from datetime import date
 
     from certkit.definitions.logbook_rules import Overload, Rule
-    from certkit.logbook.logbook_entry import Entry
+    from certkit.logbook.logbook_entry import LogbookEntry
 
 _DAY = 86400.0
 PASSED = "pass"
 
 
-def validity(rule: Rule, entries: Sequence[Entry], day: date) -> Validity:
+def validity(rule: Rule, entries: Sequence[LogbookEntry], day: date) -> Validity:
     """Apply a rule.
 
     Parameters
@@ -37,7 +37,7 @@ def validity(rule: Rule, entries: Sequence[Entry], day: date) -> Validity:
     return _count(rule, entries) if isinstance(rule, Count) else _overload(rule, entries)
 
 
-def _last_passes(names: Sequence[str], entries: Sequence[Entry]) -> dict[str, int]:
+def _last_passes(names: Sequence[str], entries: Sequence[LogbookEntry]) -> dict[str, int]:
     """Return the place of the last passed test of each procedure; those never passed are missing."""
     found = {}
     for place, entry in enumerate(entries):
@@ -62,7 +62,7 @@ def _never(rule: Rule, passes: dict[str, int]) -> Validity | None:
     return _said(rule, state="never certified", why=f"{' and '.join(missing)} never passed")
 
 
-def _interval(rule: Interval, entries: Sequence[Entry], day: date) -> Validity:
+def _interval(rule: Interval, entries: Sequence[LogbookEntry], day: date) -> Validity:
     passes = _last_passes(rule.certified_by, entries)
     never = _never(rule, passes)
     if never is not None:
@@ -75,7 +75,7 @@ def _interval(rule: Interval, entries: Sequence[Entry], day: date) -> Validity:
     return _said(rule, state=state, why=why, due=due.isoformat())
 
 
-def _count(rule: Count, entries: Sequence[Entry]) -> Validity:
+def _count(rule: Count, entries: Sequence[LogbookEntry]) -> Validity:
     passes = _last_passes(rule.certified_by, entries)
     never = _never(rule, passes)
     if never is not None:
@@ -89,7 +89,7 @@ def _count(rule: Count, entries: Sequence[Entry]) -> Validity:
     return _said(rule, state="valid" if left else "due", why=why, left=left, used=used)
 
 
-def _overload(rule: Overload, entries: Sequence[Entry]) -> Validity:
+def _overload(rule: Overload, entries: Sequence[LogbookEntry]) -> Validity:
     passes = _last_passes(rule.certified_by, entries)
     never = _never(rule, passes)
     if never is not None:

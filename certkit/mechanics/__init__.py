@@ -3,8 +3,8 @@
 `simulate` is the way in. Importing this room imports pymunk, so it is imported where it is used.
 """
 
-from certkit.mechanics.outputs.energy_balance import Quality
-from certkit.mechanics.outputs.motion import Figure, Motion
+from certkit.mechanics.outputs.energy_balance import RunQuality
+from certkit.mechanics.outputs.motion import Figure, RecordedMotion
 from certkit.mechanics.simulate import Simulation, simulate
 
-__all__ = ["Figure", "Motion", "Quality", "Simulation", "simulate"]
+__all__ = ["Figure", "RecordedMotion", "RunQuality", "Simulation", "simulate"]

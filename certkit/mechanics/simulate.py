@@ -18,9 +18,9 @@ from certkit.mechanics.fixtures.three_point_bending import DRAG, HOLD, RAMP, fit
 from certkit.mechanics.fixtures.vehicle_front import fit_front
 from certkit.mechanics.legform.leg import add_leg
 from certkit.mechanics.legform.segments import leg_segments
-from certkit.mechanics.outputs.energy_balance import Quality, judge
+from certkit.mechanics.outputs.energy_balance import RunQuality, judge
 from certkit.mechanics.outputs.front_response import FrontHistories, front_histories, front_probes
-from certkit.mechanics.outputs.motion import Motion, film
+from certkit.mechanics.outputs.motion import RecordedMotion, film
 from certkit.mechanics.outputs.recorded_channels import channels, probes
 from certkit.mechanics.solver.pymunk_space import ITERATIONS
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
@@ -69,8 +69,8 @@ class Simulation:
     """
 
     recording: Recording
-    motion: Motion
-    quality: Quality
+    motion: RecordedMotion
+    quality: RunQuality
     solver_seconds: float
     front: FrontHistories | None = None
 

@@ -10,7 +10,7 @@ _LOGO = re.compile(r"data:image/(?:png|jpeg);base64,[A-Za-z0-9+/]+={0,2}")
 
 
 @dataclass(frozen=True)
-class Table:
+class HeaderTable:
     """A list of like entries, e.g. sensors with serial and calibration date."""
 
     title: str
@@ -23,7 +23,7 @@ class LaboratoryView:
     """What the header shows."""
 
     rows: list[tuple[str, str]]
-    tables: list[Table]
+    tables: list[HeaderTable]
     logo: str | None
 
 
@@ -46,7 +46,7 @@ def laboratory_view(header: dict[str, Any] | None) -> LaboratoryView | None:
     if not header:
         return None
     rows: list[tuple[str, str]] = []
-    tables: list[Table] = []
+    tables: list[HeaderTable] = []
     logo: str | None = None
     for key, value in header.items():
         if key == "logo":
@@ -56,7 +56,7 @@ def laboratory_view(header: dict[str, Any] | None) -> LaboratoryView | None:
         elif isinstance(value, list) and value and all(isinstance(v, dict) for v in value):
             heads = list(dict.fromkeys(k for entry in value for k in entry))
             cells = [[_text(entry.get(h)) for h in heads] for entry in value]
-            tables.append(Table(words(key), [words(h) for h in heads], cells))
+            tables.append(HeaderTable(words(key), [words(h) for h in heads], cells))
         elif isinstance(value, list):
             rows.append((words(key), ", ".join(_text(v) for v in value) or "–"))
         elif value is not None:

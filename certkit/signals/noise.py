@@ -19,7 +19,7 @@ FREE_FLIGHT_NOISE = "free-flight noise"
 
 
 @dataclass(frozen=True)
-class FreeFlight:
+class FreeFlightNoise:
     """The largest bone moment in free flight.
 
     Parameters
@@ -34,7 +34,7 @@ class FreeFlight:
     channel: str
 
 
-def free_flight(recording: Recording) -> FreeFlight | None:
+def free_flight(recording: Recording) -> FreeFlightNoise | None:
     """Return the largest bone moment during the last 30 ms before time zero.
 
     Returns
@@ -54,4 +54,4 @@ def free_flight(recording: Recording) -> FreeFlight | None:
     if not largest or not all(np.isfinite(v) for v in largest.values()):
         return None
     channel = max(largest, key=lambda name: largest[name])
-    return FreeFlight(largest[channel], channel)
+    return FreeFlightNoise(largest[channel], channel)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from certkit.errors import UsageError
 from certkit.studies.quantity import in_unit, share, split_quantity
@@ -23,6 +23,8 @@ CUT = 3.0
 class Uniform:
     """Every value between two is as likely."""
 
+    word: ClassVar[str] = "uniform"
+
     low: float
     high: float
 
@@ -32,8 +34,10 @@ class Uniform:
 
 
 @dataclass(frozen=True)
-class Normal:
+class NormalFactor:
     """A bell, cut off at `CUT` standard deviations."""
+
+    word: ClassVar[str] = "normal"
 
     mean: float
     sd: float
@@ -60,6 +64,8 @@ class Normal:
 class Triangular:
     """Likeliest in the middle, impossible at both ends."""
 
+    word: ClassVar[str] = "triangular"
+
     low: float
     mode: float
     high: float
@@ -76,6 +82,8 @@ class Triangular:
 class Levels:
     """A list of numbers or words, each as likely."""
 
+    word: ClassVar[str] = "levels"
+
     entries: tuple[Setting, ...]
 
     def quantile(self, p: float) -> Setting:
@@ -83,7 +91,7 @@ class Levels:
         return self.entries[min(int(p * len(self.entries)), len(self.entries) - 1)]
 
 
-Distribution = Uniform | Normal | Triangular | Levels
+Distribution = Uniform | NormalFactor | Triangular | Levels
 
 
 @dataclass(frozen=True)
@@ -151,7 +159,7 @@ def factor_of(parameter: StudyParameter, nominals: Mapping[str, str]) -> Factor:
         sd = abs(middle) * part if part is not None else in_unit(parameter.normal.sd, unit, name)
         if sd <= 0:
             raise UsageError(f"{name}: the standard deviation has to be above zero")
-        return Factor(name, unit, Normal(middle, sd), _number(nominal, unit))
+        return Factor(name, unit, NormalFactor(middle, sd), _number(nominal, unit))
     return _uniform(parameter, nominal)
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from certkit.definitions.channels import channel_kind
-from certkit.definitions.corridor_set import Window
+from certkit.definitions.corridor_set import ValueWindow
 from certkit.errors import RunError, UsageError
 from certkit.grading.corridors import Corridor, find_corridor, limits
 from certkit.studies.designs import at_shares
@@ -144,7 +144,11 @@ def limits_of(trial: Trial) -> dict[str, Limit]:
         for criterion in setup.procedure.criteria:
             corridor = find_corridor(criterion, setup.corridors)
             kind = channel_kind(criterion.channel or "")
-            if kind is None or not isinstance(corridor, Corridor) or not isinstance(corridor.entry, Window):
+            if (
+                kind is None
+                or not isinstance(corridor, Corridor)
+                or not isinstance(corridor.entry, ValueWindow)
+            ):
                 continue
             lower, upper = (
                 None if side is None else side * kind.dimension.scale

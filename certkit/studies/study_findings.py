@@ -249,7 +249,7 @@ def numeric_outputs(table: pd.DataFrame, factors: Sequence[Factor]) -> list[str]
 
 
 def _described(factor: Factor) -> dict[str, Any]:
-    return {"distribution": type(factor.distribution).__name__.lower(), **asdict(factor.distribution)}
+    return {"distribution": factor.distribution.word, **asdict(factor.distribution)}
 
 
 def _records(frame: pd.DataFrame) -> list[dict[str, Any]]:

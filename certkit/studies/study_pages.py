@@ -79,7 +79,7 @@ def _range(factor: Factor) -> dict[str, str]:
     if isinstance(kind, Levels):
         words = ", ".join(f"{entry}{'' if isinstance(entry, str) else unit}" for entry in kind.entries)
     else:
-        words = f"{kind.low:.6g} to {kind.high:.6g}{unit}, {type(kind).__name__.lower()}"
+        words = f"{kind.low:.6g} to {kind.high:.6g}{unit}, {kind.word}"
     nominal = "–" if factor.nominal is None else f"{factor.nominal}{unit}"
     return {"name": factor.name, "range": words, "nominal": nominal}
 

@@ -7,7 +7,7 @@ import pickle
 import pytest
 
 from certkit.definitions.loading.library import load
-from certkit.definitions.loading.parameter_list import Parameter, parameters
+from certkit.definitions.loading.parameter_list import ListedParameter, parameters
 from certkit.definitions.provenance import Number, Origin
 from certkit.definitions.rig import Hinge, Ram
 
@@ -72,7 +72,7 @@ def test_a_procedures_numbers_are_listed_in_the_files_order():
 
 def test_a_corridor_is_one_line():
     (first, *_) = parameters(load("corridors", "r127-pendulum").document)
-    assert first == Parameter(
+    assert first == ListedParameter(
         "windows.T1",
         "235 N·m to 272 N·m",
         "UN R127 (01 series), annex 6, and UN GTR 9 Amd 2, as remembered; the text was not read",

@@ -18,7 +18,7 @@ from certkit.exchange.read import read_recording
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from certkit.exchange.measured import Measured
+    from certkit.exchange.measured import MeasuredData
 
 FEW = 60  # samples; what is hostile stands in heads and archives
 HARDLY = settings(
@@ -36,7 +36,7 @@ def spoilt(whole: bytes, where: float, cut: int, instead: bytes) -> bytes:
     return whole[:start] + instead + whole[start + cut :]
 
 
-def read_or_refused(path: Path, *, lenient: bool) -> Measured | None:
+def read_or_refused(path: Path, *, lenient: bool) -> MeasuredData | None:
     try:
         return read_recording(path, lenient=lenient)
     except DataError as error:
@@ -44,7 +44,7 @@ def read_or_refused(path: Path, *, lenient: bool) -> Measured | None:
         return None
 
 
-def assert_sane(read: Measured | None) -> None:
+def assert_sane(read: MeasuredData | None) -> None:
     if read is not None:
         assert np.isfinite(read.recording.time).all()
         assert all(np.isfinite(channel.values).all() for channel in read.recording.channels.values())

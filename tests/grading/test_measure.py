@@ -8,19 +8,19 @@ from sheets import TIME, bump, criterion, recording
 
 from certkit.definitions.channels import TIME as TIME_DIMENSION
 from certkit.errors import UsageError
-from certkit.grading.measure import Measured, NoInterval, Window, measure
+from certkit.grading.measure import EvaluationWindow, MeasuredValue, NoInterval, measure
 from certkit.signals import AssessmentInterval, Filtered, Recording
 
-WHOLE = Window(0.0, 0.2)
+WHOLE = EvaluationWindow(0.0, 0.2)
 NO_INTERVAL = NoInterval("no assessment interval: made up")
 
 
 def taken(
     rec: Recording,
-    window: Window = WHOLE,
+    window: EvaluationWindow = WHOLE,
     interval: AssessmentInterval | NoInterval = NO_INTERVAL,
     **fields: object,
-) -> Measured:
+) -> MeasuredValue:
     return measure(criterion(**{"channel": "T1", **fields}), Filtered(rec), window, interval)
 
 
@@ -61,7 +61,7 @@ def test_a_filter_lowers_a_sharp_peak():
 
 
 def test_only_the_window_counts():
-    found = taken(DIP_AND_HILL, window=Window(0.0, 0.04))
+    found = taken(DIP_AND_HILL, window=EvaluationWindow(0.0, 0.04))
     assert found.value == pytest.approx(125.0)
     assert found.time == pytest.approx(0.04)
 
@@ -90,8 +90,8 @@ LEVELS = np.linspace(0.0, 5000.0, 11)
 STAIRCASE = recording({"ram force": LEVELS, "mid moment": 0.08 * LEVELS}, time=np.arange(11.0))
 
 
-def at_force(words: str) -> Measured:
-    window = Window(0.0, 10.0)
+def at_force(words: str) -> MeasuredValue:
+    window = EvaluationWindow(0.0, 10.0)
     return taken(
         STAIRCASE,
         window=window,
@@ -121,7 +121,7 @@ def test_a_last_level_missed_by_rounding_counts_as_reached():
         channel="mid moment",
         measure="value at",
         at={"channel": "ram force", "equals": "4848 N"},
-        window=Window(0, 1),
+        window=EvaluationWindow(0, 1),
     )
     assert found.value == pytest.approx(400.0)
 

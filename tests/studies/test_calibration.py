@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
-from certkit.definitions.calibration import Fit
+from certkit.definitions.calibration import CalibrationTask
 from certkit.definitions.loading.library import load
 from certkit.errors import UsageError
 from certkit.studies.calibration.fit import make_ready
@@ -48,8 +48,8 @@ SHEET: dict[str, Any] = {
 }
 
 
-def changed(**parts: Any) -> Fit:  # noqa: ANN401
-    return Fit.model_validate({**SHEET, **parts})
+def changed(**parts: Any) -> CalibrationTask:  # noqa: ANN401
+    return CalibrationTask.model_validate({**SHEET, **parts})
 
 
 def test_a_fit_comes_nearer_and_its_files_give_what_it_says(tmp_path: Path) -> None:

@@ -14,10 +14,10 @@ from certkit.studies.designs import (
     one_at_a_time,
     sobol_sequence,
 )
-from certkit.studies.factors import Factor, Levels, Normal, Triangular, Uniform, factor_of
+from certkit.studies.factors import Factor, Levels, NormalFactor, Triangular, Uniform, factor_of
 
 A = Factor("a", "mm", Uniform(0.0, 10.0), 4.0)
-B = Factor("b", "kg", Normal(5.0, 0.5))
+B = Factor("b", "kg", NormalFactor(5.0, 0.5))
 C = Factor("c", "", Levels(("pinned", "free")), "pinned")
 
 
@@ -84,7 +84,7 @@ def test_a_share_is_taken_of_the_value_in_the_definitions() -> None:
     factor = factor_of(parameter(uniform="± 10 %"), {"rig.ram.speed": "20 m/s"})
     assert factor == Factor("rig.ram.speed", "m/s", Uniform(18.0, 22.0), 20.0)
     factor = factor_of(parameter(normal={"sd": "1 %"}), {"rig.ram.speed": "20 m/s"})
-    assert factor.distribution == Normal(20.0, 0.2)
+    assert factor.distribution == NormalFactor(20.0, 0.2)
 
 
 @pytest.mark.parametrize(

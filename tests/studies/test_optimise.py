@@ -8,7 +8,7 @@ import pytest
 
 from certkit.definitions.study import Study
 from certkit.errors import RunError, UsageError
-from certkit.studies.factors import Factor, Normal, Uniform
+from certkit.studies.factors import Factor, NormalFactor, Uniform
 from certkit.studies.optimise import Limit, Optimum, limits_of, optimise
 from certkit.studies.runs import Runs
 from certkit.studies.study_pages import optimum_page
@@ -92,7 +92,7 @@ def test_nothing_that_ran_is_an_error_not_an_optimum() -> None:
 
 def test_only_ranges_can_be_searched() -> None:
     with pytest.raises(UsageError, match="uniform"):
-        searched(evaluations=20, factors=[AB[0], Factor("b", "", Normal(1.0, 0.1))])
+        searched(evaluations=20, factors=[AB[0], Factor("b", "", NormalFactor(1.0, 0.1))])
 
 
 def test_a_value_has_to_stay_inside_on_both_sides() -> None:

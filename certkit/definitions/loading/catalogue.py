@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Entry:
+class CatalogueEntry:
     """One definition of the library.
 
     Parameters
@@ -34,16 +34,16 @@ class Entry:
     path: str
 
 
-def catalogue(kind: str | None = None, library: Library = ()) -> list[Entry]:
+def catalogue(kind: str | None = None, library: Library = ()) -> list[CatalogueEntry]:
     """List the definitions of one kind, or of all, by kind and name."""
     kinds = [known for known in KINDS.values() if known.folder] if kind is None else [kind_of(kind)]
     return [_entry(known, name, library) for known in kinds for name in names(known.word, library)]
 
 
-def _entry(kind: Kind, name: str, library: Library) -> Entry:
+def _entry(kind: Kind, name: str, library: Library) -> CatalogueEntry:
     found = find(kind, name, library)
     try:
         title = str(read_tree(found.data, found.file).data.get("title", ""))
     except DefinitionError:
         title = f"(cannot be read; run `certkit validate {found.file}`)"
-    return Entry(kind.word, name, title, found.label)
+    return CatalogueEntry(kind.word, name, title, found.label)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.definitions.channels import channel_kind
-from certkit.definitions.corridor_set import Band, CorridorSet, Polygon, Window
+from certkit.definitions.corridor_set import Band, CorridorSet, Polygon, ValueWindow
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import find, load
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Criterion, Procedure
     from certkit.errors import Problem
 
-_FITTING: dict[str, type[Window | Polygon | Band]] = {"curve in polygon": Polygon, "curve in band": Band}
-_WORDS = {Window: "window", Polygon: "polygon", Band: "band"}
+_FITTING: dict[str, type[ValueWindow | Polygon | Band]] = {"curve in polygon": Polygon, "curve in band": Band}
+_WORDS = {ValueWindow: "window", Polygon: "polygon", Band: "band"}
 
 
 def disagreements(procedure: Procedure, tree: Tree, library: Library = ()) -> list[Problem]:
@@ -87,11 +87,11 @@ def _set(name: str, library: Library) -> CorridorSet | str:
         return f"the set `{name}` has errors of its own: {error.problems[0]}"
 
 
-def _unfit(criterion: Criterion, corridor: Window | Polygon | Band | None) -> Iterator[str]:
+def _unfit(criterion: Criterion, corridor: ValueWindow | Polygon | Band | None) -> Iterator[str]:
     """Yield why a criterion cannot be held against its corridor; an awaited one always fits."""
     if corridor is None:
         return
-    wanted = _FITTING.get(criterion.measure, Window)
+    wanted = _FITTING.get(criterion.measure, ValueWindow)
     if not isinstance(corridor, wanted):
         yield f"is a {_WORDS[type(corridor)]}, but `{criterion.measure}` is held against a {_WORDS[wanted]}"
     elif isinstance(corridor, Polygon):
@@ -100,7 +100,7 @@ def _unfit(criterion: Criterion, corridor: Window | Polygon | Band | None) -> It
             if drawn != asked:
                 title = asked.title if asked else getattr(corridor, axis)
                 yield f"has {title} on its {axis} axis; the criterion's curve has another channel there"
-    elif isinstance(corridor, Window):
+    elif isinstance(corridor, ValueWindow):
         kind = channel_kind(criterion.channel or "")
         quantity = "time" if criterion.measure == "time of max" else kind.dimension.quantity if kind else None
         for text in (corridor.lower, corridor.upper):

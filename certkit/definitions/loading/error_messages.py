@@ -6,7 +6,7 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.loading.faults import Faults, Steps
-from certkit.definitions.loading.field_types import Shape, fields
+from certkit.definitions.loading.field_types import FieldType, fields
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterator
@@ -101,7 +101,7 @@ def _located(loc: Steps, data: Any) -> Steps:  # noqa: ANN401  # raw YAML data
 
 def _known(steps: Steps, model: type[BaseModel]) -> list[str]:
     """Return the keys that may stand at `steps`."""
-    shape: Shape | None = Shape("document", model=model)
+    shape: FieldType | None = FieldType("document", model=model)
     for step in steps:
         if shape is None:
             break

@@ -12,11 +12,11 @@ from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel
 
-from certkit.definitions.provenance import Dimension
+from certkit.definitions.provenance import QuantityDimension
 
 
 @dataclass(frozen=True)
-class Shape:
+class FieldType:
     """What stands under a key.
 
     Parameters
@@ -34,32 +34,32 @@ class Shape:
     kind: Literal["number", "document", "mapping", "list", "plain"]
     model: type[BaseModel] | None = None
     dimension: str = ""
-    item: Shape | None = None
+    item: FieldType | None = None
 
 
-PLAIN = Shape("plain")
+PLAIN = FieldType("plain")
 
 
-def shape_of(annotation: Any, metadata: Iterable[Any] = ()) -> Shape:  # noqa: ANN401  # any annotation
+def shape_of(annotation: Any, metadata: Iterable[Any] = ()) -> FieldType:  # noqa: ANN401  # any annotation
     """Return the shape behind an annotation; `None` beside another type is left out of account."""
     for mark in metadata:
-        if isinstance(mark, Dimension):
-            return Shape("number", dimension=mark.name)
+        if isinstance(mark, QuantityDimension):
+            return FieldType("number", dimension=mark.name)
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return Shape("document", model=annotation)
+        return FieldType("document", model=annotation)
     container, arguments = get_origin(annotation), get_args(annotation)
     if hasattr(annotation, "__metadata__"):
         return shape_of(annotation.__origin__, annotation.__metadata__)
     if container in {dict, Mapping}:
-        return Shape("mapping", item=shape_of(arguments[1]))
+        return FieldType("mapping", item=shape_of(arguments[1]))
     if container in {list, tuple}:
         shapes = [shape_of(a) for a in arguments if a is not Ellipsis]
-        return Shape("list", item=next((s for s in shapes if s.kind != "plain"), PLAIN))
+        return FieldType("list", item=next((s for s in shapes if s.kind != "plain"), PLAIN))
     return next((s for s in map(shape_of, arguments) if s.kind != "plain"), PLAIN)
 
 
 @cache
-def fields(model: type[BaseModel]) -> dict[str, Shape]:
+def fields(model: type[BaseModel]) -> dict[str, FieldType]:
     """Return the keys that a document knows, as they are written, and what each holds."""
     return {
         info.alias or name: shape_of(info.annotation, info.metadata)

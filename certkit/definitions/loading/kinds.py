@@ -112,7 +112,12 @@ _ALL = (
     Kind(
         "study", "many runs: what varies, how, and what is wanted from it", "study:Study", "examples/studies"
     ),
-    Kind("fit", "parameters of a leg and the tests they are fitted to", "calibration:Fit", "models/fits"),
+    Kind(
+        "fit",
+        "parameters of a leg and the tests they are fitted to",
+        "calibration:CalibrationTask",
+        "models/fits",
+    ),
     Kind("laboratory", "who tested what, when, with which sensors", "laboratory:Laboratory"),
     Kind("mapping", "how a laboratory's files become channels", "channel_mapping:Mapping"),
     Kind("logbook", "how long a certification is good for", "logbook_rules:LogbookRules"),

@@ -24,7 +24,7 @@ from certkit.definitions.words import ENDINGS
 from certkit.errors import DefinitionError, UsageError
 
 if TYPE_CHECKING:
-    from certkit.definitions.calibration import Fit
+    from certkit.definitions.calibration import CalibrationTask
     from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.extraction_case import Case
     from certkit.definitions.legform import Legform
@@ -102,7 +102,7 @@ def load(
 @overload
 def load(
     kind: Literal["fit"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
-) -> Loaded[Fit]: ...
+) -> Loaded[CalibrationTask]: ...
 @overload
 def load(
     kind: str, name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()

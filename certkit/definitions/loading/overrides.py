@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.loading.error_messages import nearest, plain, suggestion
-from certkit.definitions.loading.field_types import Shape, fields
+from certkit.definitions.loading.field_types import FieldType, fields
 from certkit.definitions.loading.yaml_reader import Tree, read_value
 from certkit.errors import UsageError
 
@@ -49,7 +49,7 @@ class _Spot:
 
     steps: Steps
     words: str
-    shape: Shape
+    shape: FieldType
     sourced: Steps | None
 
 
@@ -101,7 +101,7 @@ def change(tree: Tree, overrides: Sequence[str], model: type[BaseModel]) -> tupl
     return replace(tree, data=data, changed=changed), tuple(changes)
 
 
-def known_paths(data: Any, shape: Shape, prefix: str = "") -> Iterator[str]:  # noqa: ANN401  # raw YAML data
+def known_paths(data: Any, shape: FieldType, prefix: str = "") -> Iterator[str]:  # noqa: ANN401  # raw YAML data
     """Yield the paths of all values that a definition has or could have."""
     for name, (_, inner, entry) in _below(data, shape).items():
         path = f"{prefix}.{name}" if prefix else name
@@ -109,7 +109,7 @@ def known_paths(data: Any, shape: Shape, prefix: str = "") -> Iterator[str]:  # 
         yield from known_paths(entry, inner, path)
 
 
-def _below(data: Any, shape: Shape) -> dict[str, tuple[str | int, Shape, Any]]:  # noqa: ANN401  # raw YAML data
+def _below(data: Any, shape: FieldType) -> dict[str, tuple[str | int, FieldType, Any]]:  # noqa: ANN401  # raw YAML data
     """Return what can be named below a value: name → step, shape, value."""
     if shape.model is not None:
         given = data if isinstance(data, dict) else {}
@@ -118,7 +118,7 @@ def _below(data: Any, shape: Shape) -> dict[str, tuple[str | int, Shape, Any]]: 
         return {}
     if isinstance(data, dict):
         return {str(key): (key, shape.item, value) for key, value in data.items()}
-    below: dict[str, tuple[str | int, Shape, Any]] = {}
+    below: dict[str, tuple[str | int, FieldType, Any]] = {}
     for index, entry in enumerate(data if isinstance(data, list) else ()):
         own = entry.get("id") if isinstance(entry, dict) else None
         below[own if isinstance(own, str) else str(index + 1)] = (index, shape.item, entry)
@@ -128,7 +128,7 @@ def _below(data: Any, shape: Shape) -> dict[str, tuple[str | int, Shape, Any]]: 
 def _find(path: str, data: Any, model: type[BaseModel]) -> _Spot:  # noqa: ANN401  # raw YAML data
     """Follow a path; names may hold dots themselves, so the longest name that fits is taken."""
     top, rest = data, plain(path)
-    shape = Shape("document", model=model)
+    shape = FieldType("document", model=model)
     steps: list[str | int] = []
     words: list[str] = []
     sourced: Steps | None = None
@@ -144,7 +144,7 @@ def _find(path: str, data: Any, model: type[BaseModel]) -> _Spot:  # noqa: ANN40
             rest = plain(list(below)[int(first) - 1]) + rest[len(first) :]
         fitting = [name for name in below if rest == plain(name) or rest.startswith(f"{plain(name)}.")]
         if not fitting:
-            near = nearest(path, list(known_paths(top, Shape("document", model=model))))
+            near = nearest(path, list(known_paths(top, FieldType("document", model=model))))
             there = [".".join([*words, name]) for name in below]
             hint = f"did you mean `{near}`?" if near else suggestion(path, there)
             raise UsageError(f"`--set {path}`: there is no such value; {hint}")
@@ -158,7 +158,7 @@ def _find(path: str, data: Any, model: type[BaseModel]) -> _Spot:  # noqa: ANN40
     return _Spot(tuple(steps), ".".join(words), shape, sourced)
 
 
-def _sourced(value: Any, shape: Shape) -> Any:  # noqa: ANN401  # raw YAML data
+def _sourced(value: Any, shape: FieldType) -> Any:  # noqa: ANN401  # raw YAML data
     """Give numbers their origin."""
     if shape.kind == "number" and isinstance(value, (str, int, float)):
         return {"value": value, **ORIGIN}

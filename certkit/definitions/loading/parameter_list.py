@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Parameter:
+class ListedParameter:
     """A number or corridor with its origin.
 
     Parameters
@@ -36,21 +36,21 @@ class Parameter:
     confidence: Confidence
 
 
-def parameters(document: BaseModel) -> list[Parameter]:
+def parameters(document: BaseModel) -> list[ListedParameter]:
     """List every number of a document, in the order of the file."""
     return list(_walk(document, ""))
 
 
-def _walk(given: object, path: str) -> Iterator[Parameter]:
+def _walk(given: object, path: str) -> Iterator[ListedParameter]:
     if isinstance(given, Number):
-        yield Parameter(path, given.text, given.source, given.confidence)
+        yield ListedParameter(path, given.text, given.source, given.confidence)
     elif isinstance(given, Sourced) and given.source is not None and given.confidence is not None:
         for key, line in given.lines().items():
-            yield Parameter(_join(path, key), line, given.source, given.confidence)
+            yield ListedParameter(_join(path, key), line, given.source, given.confidence)
     elif curve := _curve(given):
         first, last = curve[0], curve[-1]
         ends = " to ".join(f"({', '.join(n.text for n in point)})" for point in (first, last))
-        yield Parameter(path, f"{len(curve)} points from {ends}", first[0].source, first[0].confidence)
+        yield ListedParameter(path, f"{len(curve)} points from {ends}", first[0].source, first[0].confidence)
     else:
         for key, entry in _entries(given):
             yield from _walk(entry, _join(path, key))

@@ -10,7 +10,7 @@ from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS, kind_of
 from certkit.definitions.loading.library import load, names
 from certkit.definitions.loading.lint import kind_in
-from certkit.definitions.loading.parameter_list import Parameter, parameters
+from certkit.definitions.loading.parameter_list import ListedParameter, parameters
 from certkit.definitions.loading.validation import read_bytes
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.definitions.procedure import Procedure
@@ -53,7 +53,7 @@ class Sheet:
     name: str
     head: tuple[str, ...]
     criteria: tuple[tuple[str, ...], ...]
-    numbers: tuple[Parameter, ...]
+    numbers: tuple[ListedParameter, ...]
     awaited: tuple[tuple[str, ...], ...]
     notes: tuple[str, ...]
     document: dict[str, Any]

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.exchange.fe.radioss import RigidBody
+    from certkit.exchange.fe.radioss import RigidBodyRows
 
     Values = NDArray[np.float64]
 
@@ -31,7 +31,7 @@ _LSDA_HEADER = 8
 INSTALL = "reading binout files needs lasso-python: pip install 'certkit[binout]'"
 
 
-def read_binout(path: Path, units: Units, rigid_bodies: Mapping[str, RigidBody]) -> PartHistories:
+def read_binout(path: Path, units: Units, rigid_bodies: Mapping[str, RigidBodyRows]) -> PartHistories:
     """Read matsum, nodout, rcforc and glstat of a binout file.
 
     Raises
@@ -147,7 +147,7 @@ def _parts(
     binout: _Binout,
     time: Values,
     units: Units,
-    rigid_bodies: Mapping[str, RigidBody],
+    rigid_bodies: Mapping[str, RigidBodyRows],
     notes: list[str],
 ) -> dict[str, PartHistory]:
     mass = binout.columns("matsum", "mass") * units.mass

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Table:
+class NumericTable:
     """Columns of numbers by their head, in the order of the file."""
 
     columns: Mapping[str, NDArray[np.float64]]
@@ -33,7 +33,7 @@ class Table:
     digest: str
 
 
-def read_table(path: Path, *, text_columns: frozenset[str] = frozenset()) -> Table:
+def read_table(path: Path, *, text_columns: frozenset[str] = frozenset()) -> NumericTable:
     """Read a CSV file (`.csv` or `.csv.gz`) of numbers.
 
     Blanks around heads are dropped; a comma at the end of every line is allowed. Columns in `text_columns`
@@ -54,7 +54,7 @@ def read_table(path: Path, *, text_columns: frozenset[str] = frozenset()) -> Tab
     columns = {names[i]: np.ascontiguousarray(values[:, k]) for k, i in enumerate(kept)}
     for name, column in columns.items():
         require_finite(column, name, source)
-    return Table(columns, source, digest)
+    return NumericTable(columns, source, digest)
 
 
 def read_cells(path: Path) -> tuple[list[dict[str, str]], str]:

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class RigidBody:
+class RigidBodyRows:
     """What the files do not say about a rigid body.
 
     Parameters
@@ -89,7 +89,9 @@ def impulse_of_differences(force: Values, time: Values) -> Values:
     return impulse
 
 
-def part_histories(channels: Channels, units: Units, rigid_bodies: Mapping[str, RigidBody]) -> PartHistories:
+def part_histories(
+    channels: Channels, units: Units, rigid_bodies: Mapping[str, RigidBodyRows]
+) -> PartHistories:
     """Turn channels in the file's units into SI part histories.
 
     Raises
@@ -132,7 +134,7 @@ def part_histories(channels: Channels, units: Units, rigid_bodies: Mapping[str, 
     )
 
 
-def _rigid(name: str, body: RigidBody, channels: Channels, units: Units) -> PartHistory:
+def _rigid(name: str, body: RigidBodyRows, channels: Channels, units: Units) -> PartHistory:
     node = channels.nodes[match_one(body.node, channels.nodes, "node", channels.source)]
     velocity = _variable(node, "VX", body.node, channels.source) * (units.length / units.time)
     displacement = _variable(node, "DX", body.node, channels.source) * units.length

@@ -10,13 +10,13 @@ from certkit.errors import DataError
 from certkit.exchange.fe.binout import read_binout
 from certkit.exchange.fe.faces import Face, read_faces
 from certkit.exchange.fe.histories import PartHistories, PartHistory, parse_units
-from certkit.exchange.fe.radioss import RigidBody, part_histories
+from certkit.exchange.fe.radioss import RigidBodyRows, part_histories
 from certkit.exchange.fe.radioss_csv import read_converted
 from certkit.exchange.fe.radioss_native import read_native
 from certkit.exchange.fe.tidy import read_tidy
 
 if TYPE_CHECKING:
-    from certkit.definitions.extraction_case import Histories
+    from certkit.definitions.extraction_case import HistoryFiles
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class FrontData:
     faces: dict[str, Face]
 
 
-def data_folder(section: Histories, case_folder: Path) -> Path:
+def data_folder(section: HistoryFiles, case_folder: Path) -> Path:
     """Return the folder that the case's histories lie in: its own or one inside it.
 
     Raises
@@ -38,7 +38,7 @@ def data_folder(section: Histories, case_folder: Path) -> Path:
     return case_folder if section.folder is None else _inside(case_folder, section.folder)
 
 
-def read_case_data(section: Histories, folder: Path) -> FrontData:
+def read_case_data(section: HistoryFiles, folder: Path) -> FrontData:
     """Read all files of a case.
 
     Parameters
@@ -68,7 +68,7 @@ def read_case_data(section: Histories, folder: Path) -> FrontData:
     return FrontData(replace(histories, parts=parts, files=files), faces)
 
 
-def _histories(section: Histories, paths: list[Path]) -> PartHistories:
+def _histories(section: HistoryFiles, paths: list[Path]) -> PartHistories:
     if section.format == "tidy csv":
         return read_tidy(paths, section)
     if len(paths) != 1:
@@ -76,7 +76,7 @@ def _histories(section: Histories, paths: list[Path]) -> PartHistories:
             f"{paths[1]}: the format `{section.format}` is read from one file; leave the others out"
         )
     units = parse_units(section.units)
-    rigid = {name: RigidBody(float(b.mass), b.node) for name, b in section.rigid_bodies.items()}
+    rigid = {name: RigidBodyRows(float(b.mass), b.node) for name, b in section.rigid_bodies.items()}
     if section.format == "ls-dyna binout":
         return read_binout(paths[0], units, rigid)
     channels = read_native(paths[0]) if section.format == "openradioss native" else read_converted(paths[0])

@@ -9,7 +9,7 @@ import numpy as np
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import require_time_axis
 from certkit.exchange.fe.histories import ContactHistory, PartHistories, PartHistory, SpringHistory, match_one
-from certkit.exchange.fe.numeric_table import Table, read_table
+from certkit.exchange.fe.numeric_table import NumericTable, read_table
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.definitions.extraction_case import Histories, PartColumns
+    from certkit.definitions.extraction_case import HistoryFiles, PartColumns
 
     Values = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ SUFFIXES = {
 """Unit at the end of a column's name → dimension and factor to SI."""
 
 
-def read_tidy(paths: list[Path], mapping: Histories) -> PartHistories:
+def read_tidy(paths: list[Path], mapping: HistoryFiles) -> PartHistories:
     """Read tidy CSV files that share one time axis.
 
     Parameters
@@ -138,7 +138,7 @@ class _Columns:
                         yield full, spec, star
 
 
-def _time_axis(table: Table, name: str) -> Values:
+def _time_axis(table: NumericTable, name: str) -> Values:
     if name not in table.columns:
         match_one(name, table.columns, "column", table.source)
     suffix = name.rsplit("_", 1)[-1]

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Quality:
+class RunQuality:
     """Quality figures of one run.
 
     Parameters
@@ -49,7 +49,7 @@ class Quality:
     imbalance: Floats
 
 
-def judge(run: Trajectory, time_step: float, iterations: int) -> Quality:
+def judge(run: Trajectory, time_step: float, iterations: int) -> RunQuality:
     """Return the quality figures of a run."""
     stored = run.stored - run.stored[0]
     spent = run.spent - run.spent[0]
@@ -63,7 +63,7 @@ def judge(run: Trajectory, time_step: float, iterations: int) -> Quality:
         for kind, book in (("stored", stored[:, b]), ("spent", spent[:, b])):
             if np.any(book):
                 energies[f"{name} {kind}"] = book
-    return Quality(
+    return RunQuality(
         energy_error_percent=100 * float(np.abs(imbalance).max()) / turned if turned > 0 else 0.0,
         joint_gap_mm=1e3 * run.joint_gap,
         penetration_mm=1e3 * run.penetration,

@@ -38,7 +38,7 @@ class Figure:
 
 
 @dataclass(frozen=True)
-class Motion:
+class RecordedMotion:
     """The test as a moving picture.
 
     Parameters
@@ -65,7 +65,9 @@ class Motion:
     scene: tuple[Figure, ...]
 
 
-def film(site: Site, leg: Leg, run: Trajectory, readings: Mapping[str, Floats], at: Integers) -> Motion:
+def film(
+    site: Site, leg: Leg, run: Trajectory, readings: Mapping[str, Floats], at: Integers
+) -> RecordedMotion:
     """Cut the frames of a run into a moving picture; `at` are the sample numbers of the frames."""
     figures: list[Figure] = []
     bodies: list[int] = []
@@ -100,7 +102,7 @@ def film(site: Site, leg: Leg, run: Trajectory, readings: Mapping[str, Floats], 
     # Flesh is a point mass; it is drawn leaning with its bone.
     for k in range(len(leg.flesh)):
         poses[:, len(leg.segments) + k, 2] = poses[:, k, 2]
-    return Motion(
+    return RecordedMotion(
         times=run.frame_time - run.contact,
         figures=tuple(figures),
         poses=poses,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.calibration import Fit
+from certkit.definitions.calibration import CalibrationTask
 from certkit.definitions.loading.library import load
 from certkit.errors import RunError
 from certkit.studies.calibration.identifiability import Knowledge, knowledge
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 class Task:
     """A fit made ready: what is run, what is free, what is aimed at."""
 
-    sheet: Fit
+    sheet: CalibrationTask
     trial: Trial
     space: Space
     goals: tuple[Goal, ...]
@@ -72,7 +72,7 @@ class Calibration:
         return float(np.sqrt(np.mean(np.square(distances))))
 
 
-def make_ready(document: Fit | str | Path, library: Sequence[Path] = ()) -> Task:
+def make_ready(document: CalibrationTask | str | Path, library: Sequence[Path] = ()) -> Task:
     """Load everything a fit needs and check that it fits together.
 
     Raises
@@ -80,8 +80,10 @@ def make_ready(document: Fit | str | Path, library: Sequence[Path] = ()) -> Task
     UsageError, DefinitionError
         Before anything is run.
     """
-    sheet = document if isinstance(document, Fit) else load("fit", document, library=library).document
-    if not isinstance(sheet, Fit):
+    sheet = (
+        document if isinstance(document, CalibrationTask) else load("fit", document, library=library).document
+    )
+    if not isinstance(sheet, CalibrationTask):
         raise TypeError("not a fit document")
     procedures = tuple(dict.fromkeys(target.procedure for target in sheet.targets))
     trial = Trial(

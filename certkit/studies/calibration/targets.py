@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.definitions.channels import channel_kind
-from certkit.definitions.corridor_set import Window
+from certkit.definitions.corridor_set import ValueWindow
 from certkit.errors import UsageError
 from certkit.grading.corridors import Corridor, find_corridor, limits
 from certkit.studies.quantity import share, split_quantity
@@ -91,7 +91,7 @@ def goals_of(target: Target, setup: Setup) -> list[Goal]:
 def _corridor_goal(criterion: Criterion, target: Target, setup: Setup) -> Goal | None:
     found = find_corridor(criterion, setup.corridors)
     kind = channel_kind(criterion.channel or "")
-    if kind is None or not isinstance(found, Corridor) or not isinstance(found.entry, Window):
+    if kind is None or not isinstance(found, Corridor) or not isinstance(found.entry, ValueWindow):
         return None
     lower, upper = limits(found, found.entry, kind.dimension)
     if lower is None or upper is None:
