@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from clock import Row
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "tests" / "physics"))
+sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
 
-from chain_oracle import Chain, bone_chain
+from support.chain_oracle import Chain, bone_chain
 from tight import tight_chain
 
 from certkit.errors import RunError

@@ -13,8 +13,8 @@ import numpy as np
 from numba import njit
 
 if TYPE_CHECKING:
-    from chain_oracle import Chain
     from numpy.typing import NDArray
+    from support.chain_oracle import Chain
 
 ITERATIONS = 5
 CLOSING = 691.0  # 1/s: as pymunk closes gaps with the error bias that our solver gives it

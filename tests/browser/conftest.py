@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parents[1] / "reporting"))
+from support import synthetic_result
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -33,9 +31,7 @@ def browser() -> Iterator[Browser]:
 @pytest.fixture(scope="session")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Write the pages that all tests look at."""
-    import synthetic_result  # noqa: PLC0415  # its folder is on the path only now
-
-    from certkit.reporting.html_report import page, suite_page  # noqa: PLC0415  # likewise
+    from certkit.reporting.html_report import page, suite_page  # noqa: PLC0415  # the browser tests alone need it
 
     place = tmp_path_factory.mktemp("pages")
     results = {

@@ -79,7 +79,7 @@ def test_play_moves_the_leg(pendulum: Page) -> None:
 
 @pytest.mark.parametrize("sample", [0, 25, 57, 150, 499])
 def test_scrubbing_sets_the_gauges_to_the_values_of_the_document(pendulum: Page, sample: int) -> None:
-    import synthetic_result  # noqa: PLC0415  # its folder is on the path only in a session
+    from support import synthetic_result  # noqa: PLC0415  # its folder is on the path only in a session
 
     curves = synthetic_result.result().curves
     assert curves

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from conftest import Command
+from support.command import Command
 
 STEEP = "legform.femur.bending stiffness=90 N·m²"
 

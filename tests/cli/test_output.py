@@ -7,7 +7,7 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-from conftest import Command
+from support.command import Command
 
 FILES = {"result.json", "channels.csv", "report.html", "report.pdf", "junit.xml"}
 PROCEDURES = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import pytest
-from damage import DAMAGES
+from support.damage import DAMAGES
 
 from certkit.errors import DataError
 from certkit.exchange.read import read_recording
@@ -13,7 +13,7 @@ from certkit.exchange.read import read_recording
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from damage import Damage
+    from support.damage import Damage
 
 
 @pytest.mark.parametrize("damage", DAMAGES, ids=lambda d: d.name)

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from conftest import pendulum_like
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from support.pendulum_recording import pendulum_like
 
 from certkit.errors import DataError
 from certkit.exchange.mme_write import write_mme

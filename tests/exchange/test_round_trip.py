@@ -186,7 +186,7 @@ def test_pyisomme_sees_the_same_channels_units_and_values(mme: Path, recording: 
         pytest.skip(
             "CERTKIT_PYISOMME_PYTHON names no Python with pyisomme (800 MB, an environment of its own)"
         )
-    script = Path(__file__).with_name("pyisomme_check.py")
+    script = Path(__file__).parents[1] / "support" / "pyisomme_check.py"
     done = subprocess.run([python, str(script), str(mme)], capture_output=True, check=True, text=True)
     seen = json.loads(done.stdout)
     assert len(seen) == len(recording.channels)

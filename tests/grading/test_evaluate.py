@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sheets import TIME, bump, corridor_set, grade, only, procedure, recording
+from support.sheets import TIME, bump, corridor_set, grade, only, procedure, recording
 
 from certkit.definitions.loading.library import load
 from certkit.documents.result import PreconditionResult, Quality

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from sheets import TIME, bump, criterion, recording
+from support.sheets import TIME, bump, criterion, recording
 
 from certkit.definitions.channels import TIME as TIME_DIMENSION
 from certkit.errors import UsageError

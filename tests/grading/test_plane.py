@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sheets import TIME, bump, corridor_set, grade, only, procedure, recording
+from support.sheets import TIME, bump, corridor_set, grade, only, procedure, recording
 
 from certkit.errors import UsageError
 from certkit.grading.corridor_distance import band_distance, end_faces, polygon_distance, refined

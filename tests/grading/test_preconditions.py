@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from sheets import bump, corridor_set, grade, procedure, recording
+from support.sheets import bump, corridor_set, grade, procedure, recording
 
 WINDOW = corridor_set(windows={"T1": {"upper": "272 N·m"}})
 CLIMATE = {"quantity": "temperature", "dimension": "temperature", "within": ["18 °C", "22 °C"]}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from chain_oracle import Chain, bone_chain
+from support.chain_oracle import Chain, bone_chain
 
 from certkit.mechanics.force_laws import BENDING
 from certkit.mechanics.solver.time_loop import Plan, run_world

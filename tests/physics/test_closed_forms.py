@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 import pytest
-from chain_oracle import Chain, bone_chain
 from scipy.linalg import eigh
+from support.chain_oracle import Chain, bone_chain
 
 from certkit.mechanics.force_laws import BENDING, CRUSH, SUPPORTS
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world

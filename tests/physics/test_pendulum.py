@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from pendulum_oracle import Pendulum, Pose, solve
+from support.pendulum_oracle import Pendulum, Pose, solve
 
 from certkit.definitions.loading.library import load
 from certkit.mechanics import simulate
@@ -60,7 +60,7 @@ def test_the_whole_pendulum_test_agrees_with_exudyn_within_half_a_per_cent(
     legform: Legform, procedure: Procedure, ours: dict[str, float]
 ):
     pytest.importorskip("exudyn")
-    from pendulum_in_exudyn import solve_in_exudyn  # noqa: PLC0415  # skipped where Exudyn is not installed
+    from support.pendulum_in_exudyn import solve_in_exudyn  # noqa: PLC0415  # skipped where Exudyn is not installed
 
     pendulum = Pendulum(legform, procedure)
     poses = solve_in_exudyn(pendulum, UNTIL, step=1e-4, sample=1e-4)

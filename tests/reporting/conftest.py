@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-import synthetic_result
+from support import synthetic_result
 
 from certkit.documents.result import Result
 

@@ -14,8 +14,8 @@ from typing import Any, Self
 
 import pikepdf
 import pytest
-import synthetic_result
 import weasyprint
+from support import synthetic_result
 
 from certkit.documents.result import Result
 from certkit.documents.result_json import from_json
@@ -155,11 +155,12 @@ def test_another_day_gives_the_same_bytes(monkeypatch: pytest.MonkeyPatch):
 
 def test_another_process_gives_the_same_bytes(tmp_path: Path):
     code = (
-        "import sys; sys.path.insert(0, sys.argv[1]); import synthetic_result; from pathlib import Path;"
+        "import sys; sys.path.insert(0, sys.argv[1]); from support import synthetic_result;"
+        "from pathlib import Path;"
         "from certkit.reporting.pdf_certificate import certificate;"
         "Path(sys.argv[2]).write_bytes(certificate([synthetic_result.static_result()]))"
     )
-    folder = synthetic_result.__file__.rsplit("/", 1)[0]
+    folder = str(Path(synthetic_result.__file__).parents[1])
     subprocess.run([sys.executable, "-c", code, folder, tmp_path / "x.pdf"], check=True)
     assert (tmp_path / "x.pdf").read_bytes() == certificate([synthetic_result.static_result()])
 

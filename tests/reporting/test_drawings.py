@@ -3,10 +3,10 @@ from __future__ import annotations
 import re
 
 import pytest
-import synthetic_result
 from hypothesis import given
 from hypothesis import strategies as st
-from synthetic_result import parsed
+from support import synthetic_result
+from support.synthetic_result import parsed
 
 from certkit.documents.result import CriterionResult, Result
 from certkit.errors import UsageError

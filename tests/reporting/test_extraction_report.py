@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import pikepdf
 import pytest
-from synthetic_result import parsed
+from support.synthetic_result import parsed
 
 from certkit.documents.extraction import ClosureResult, GroupResult, LawResult, MaterialResult, PathResult
 from certkit.errors import UsageError

@@ -6,8 +6,8 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
-import synthetic_result
-from synthetic_result import parsed
+from support import synthetic_result
+from support.synthetic_result import parsed
 
 from certkit.documents.result import Result
 from certkit.errors import UsageError

@@ -3,7 +3,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import pytest
-import synthetic_result
+from support import synthetic_result
 from typer.testing import CliRunner
 
 from certkit.cli import app

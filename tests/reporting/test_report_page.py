@@ -6,7 +6,7 @@ from html.parser import HTMLParser
 from typing import Any
 
 import pytest
-import synthetic_result
+from support import synthetic_result
 
 from certkit.documents.result import Result
 from certkit.reporting.html_report import page, suite_page

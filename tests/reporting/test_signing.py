@@ -5,7 +5,7 @@ import io
 from typing import TYPE_CHECKING
 
 import pytest
-import synthetic_result
+from support import synthetic_result
 
 from certkit.errors import InputError
 from certkit.reporting.pdf_certificate import certificate

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from curves import Floats, channel, half_sine, recording
+from support.curves import Floats, channel, half_sine, recording
 
 from certkit.errors import DataError
 from certkit.signals.clipping import find_clipping

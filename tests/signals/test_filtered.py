@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from curves import channel, half_sine, recording
+from support.curves import channel, half_sine, recording
 
 from certkit.errors import DataError
 from certkit.signals import Filtered, Recording, cfc

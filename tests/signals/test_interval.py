@@ -10,7 +10,7 @@ import pytest
 from certkit.signals import assessment_interval
 
 if TYPE_CHECKING:
-    from curves import Floats
+    from support.curves import Floats
 
 TIME = np.arange(0, 0.1, 1e-5)
 

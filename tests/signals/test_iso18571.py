@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from rated_pairs import PAIRS, TIME, Floats
+from support.rated_pairs import PAIRS, TIME, Floats
 
 from certkit.errors import DataError
 from certkit.signals import rate, resampled

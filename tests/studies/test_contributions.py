@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-import toys
+from support import toys
 
 from certkit.definitions.study import Study
 from certkit.errors import RunError

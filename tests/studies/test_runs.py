@@ -12,7 +12,7 @@ import time
 from typing import TYPE_CHECKING
 
 import pytest
-import toys
+from support import toys
 
 from certkit.errors import UsageError
 from certkit.studies.journal import Journal
@@ -113,7 +113,7 @@ def test_chunks_grow_for_quick_runs_and_stay_single_for_slow_ones() -> None:
 def test_killed_and_resumed_no_run_is_missing_and_none_is_done_twice(tmp_path: Path) -> None:
     """A parent killed with SIGKILL leaves its journal and no orphans; the next one does only the rest."""
     script = (
-        "import sys; sys.path.insert(0, sys.argv[1]); import toys; from pathlib import Path\n"
+        "import sys; sys.path.insert(0, sys.argv[1]); from support import toys; from pathlib import Path\n"
         "from certkit.studies.runs import Runs\n"
         "def main():\n"
         "    counted, journal = toys.Counted(sys.argv[2]), Path(sys.argv[2]) / 'runs.jsonl'\n"
@@ -123,7 +123,7 @@ def test_killed_and_resumed_no_run_is_missing_and_none_is_done_twice(tmp_path: P
     )
     program = tmp_path / "program.py"
     program.write_text(script)
-    command = [sys.executable, str(program), os.path.dirname(toys.__file__), str(tmp_path)]  # noqa: PTH120  # argv
+    command = [sys.executable, str(program), os.path.dirname(os.path.dirname(toys.__file__)), str(tmp_path)]  # noqa: PTH120  # argv
     journal = tmp_path / "runs.jsonl"
     first = subprocess.Popen(command)
     while not journal.exists() or journal.read_bytes().count(b"\n") < 20:
@@ -143,11 +143,11 @@ def test_killed_and_resumed_no_run_is_missing_and_none_is_done_twice(tmp_path: P
 def test_a_script_that_workers_cannot_import_is_told_so_once(tmp_path: Path) -> None:
     program = tmp_path / "unguarded.py"
     program.write_text(
-        "import sys; sys.path.insert(0, sys.argv[1]); import toys\n"
+        "import sys; sys.path.insert(0, sys.argv[1]); from support import toys\n"
         "from certkit.studies.runs import Runs\n"
         "Runs(toys.wave, processes=2)([{'a': float(i), 'b': 0.0} for i in range(50)])\n"
     )
-    command = [sys.executable, str(program), os.path.dirname(toys.__file__)]  # noqa: PTH120  # argv
+    command = [sys.executable, str(program), os.path.dirname(os.path.dirname(toys.__file__))]  # noqa: PTH120  # argv
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
     assert done.returncode == 1
     assert "put the call under" in done.stderr

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sheets import PROVENANCE, TIME, bump, corridor_set, grade, procedure, recording
+from support.sheets import PROVENANCE, TIME, bump, corridor_set, grade, procedure, recording
 
 from certkit.documents.certificate_id import certificate_id
 from certkit.documents.channel_curves import drawn_curves, histories, raw_channels, recording_of, thinned

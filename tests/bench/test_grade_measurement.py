@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from conftest import pendulum_like
-from damage import DAMAGES
+from support.damage import DAMAGES
+from support.pendulum_recording import pendulum_like
 
 from certkit.cli import main
 from certkit.exchange.csv_write import write_csv
@@ -20,7 +20,7 @@ from certkit.exchange.mme_write import write_mme
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from damage import Damage
+    from support.damage import Damage
 
     from certkit.signals import Recording
 

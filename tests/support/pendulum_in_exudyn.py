@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 import exudyn as exu
 import numpy as np
 from exudyn import itemInterface as items  # noqa: N813  # the module has that name
-from pendulum_oracle import Pendulum, Pose
+
+from support.pendulum_oracle import Pendulum, Pose
 
 if TYPE_CHECKING:
     from collections.abc import Callable

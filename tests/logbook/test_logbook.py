@@ -8,7 +8,7 @@ from datetime import date, timedelta
 from typing import TYPE_CHECKING
 
 import pytest
-from forty import BEGIN, document, forty
+from support.forty_tests import BEGIN, document, forty
 
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.logbook_overview import overview_json

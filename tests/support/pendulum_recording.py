@@ -1,18 +1,10 @@
-"""A plausible pendulum recording, and the same as an ISO-MME folder that tests can damage."""
+"""A plausible recording of a pendulum test."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
-import pytest
 
-from certkit.exchange.csv_write import write_csv
-from certkit.exchange.mme_write import write_mme
 from certkit.signals import CHANNELS, Channel, Recording
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 PEAKS = {"T1": 250.0, "T2": 200.0, "T3": 150.0, "T4": 100.0, "MCL": 0.022, "ACL": 0.009, "PCL": 0.004}
 CONDITIONS = {"temperature": 293.35, "humidity": 0.42, "release angle": 0.2618}
@@ -27,22 +19,3 @@ def pendulum_like(count: int = 2500, interval: float = 1e-4, first: float = -0.0
         for name, peak in PEAKS.items()
     }
     return Recording("measured", time, channels, conditions=CONDITIONS)
-
-
-@pytest.fixture
-def recording() -> Recording:
-    return pendulum_like()
-
-
-@pytest.fixture
-def mme(tmp_path: Path, recording: Recording) -> Path:
-    folder = tmp_path / "leg"
-    write_mme(recording, folder)
-    return folder
-
-
-@pytest.fixture
-def table(tmp_path: Path, recording: Recording) -> Path:
-    path = tmp_path / "leg.csv"
-    write_csv(recording, path)
-    return path
