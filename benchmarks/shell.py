@@ -66,7 +66,7 @@ def rows() -> Iterator[Row]:
 def _phases() -> Iterator[Row]:
     """Yield the phases of one run inside a warm process."""
     from certkit.bench.setup import prepare  # noqa: PLC0415  # timed from here on
-    from certkit.grading import grade_criteria  # noqa: PLC0415  # likewise
+    from certkit.grading import grade_criteria, measure_all  # noqa: PLC0415  # likewise
     from certkit.mechanics import simulate  # noqa: PLC0415  # likewise
 
     yield Row("  phase: load and check definitions", processor_seconds(lambda: prepare("inverse")), "s")
@@ -79,7 +79,9 @@ def _phases() -> Iterator[Row]:
     )
     yield Row(
         "  phase: grade",
-        processor_seconds(lambda: grade_criteria(setup.procedure, setup.corridors, simulation.recording)),
+        processor_seconds(
+            lambda: grade_criteria(measure_all(setup.procedure, simulation.recording), setup.corridors)
+        ),
         "s",
     )
 

@@ -6,7 +6,7 @@ import hashlib
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from certkit.bench.laboratory_terms import NO_LABORATORY, merged_conditions, read_laboratory
+from certkit.bench.laboratory_terms import merged_conditions, read_laboratory
 from certkit.bench.recognise import recognised
 from certkit.bench.setup import Setup, prepare
 from certkit.definitions.channel_mapping import Mapping
@@ -15,7 +15,7 @@ from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.result import InputFile
 from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.read import read_recording
-from certkit.grading import evaluate
+from certkit.grading import NO_LABORATORY, evaluate, measure_all
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -75,20 +75,12 @@ def grade(
     files = (
         InputFile(role="recording", path=_shown(data, file.name), sha256=file.sha256) for file in read.files
     )
+    recording = replace(read.recording, conditions=conditions)
     return evaluate(
-        setup.procedure,
-        setup.corridors,
-        replace(read.recording, conditions=conditions),
-        provenance=setup.provenance(*files, *mapping_input, *lab.inputs),
-        reference=setup.reference,
-        parameters=setup.parameters,
-        specimen=lab.specimen,
-        laboratory=lab.header,
-        checks=lab.checks,
-        decision=lab.decision,
-        uncertainties=lab.uncertainties,
+        measure_all(setup.procedure, recording, lenient=lenient),
+        setup.terms(*files, *mapping_input, *lab.inputs),
+        laboratory=lab,
         notes=[f"{words}: {value}" for words, value in read.header.items()],
-        lenient=lenient,
     )
 
 

@@ -1,62 +1,35 @@
-"""A laboratory's file in the terms of grading: header, sensor checks, decision rule, uncertainties."""
+"""A laboratory's file in the terms of grading: header, logo, sensor checks, decision rule, uncertainties."""
 
 from __future__ import annotations
 
+import base64
 import hashlib
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from certkit.definitions.laboratory import Laboratory
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
-from certkit.definitions.logo import embedded_logo
 from certkit.documents.result import InputFile, PreconditionResult
-from certkit.errors import DataError
+from certkit.errors import DataError, DefinitionError, Problem
 from certkit.exchange.codes import code_table
 from certkit.exchange.conditions import read_condition
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
+from certkit.grading.grading_terms import LaboratoryTerms
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
+LOGO_BYTES = 300_000
+LOGO_PIXELS = 4_000
+"""Largest logo: it is embedded in every page and certificate."""
 
-@dataclass(frozen=True)
-class LaboratoryPart:
-    """What a laboratory's file adds to a grading.
-
-    Parameters
-    ----------
-    header : dict or None
-        For the report.
-    checks : tuple of PreconditionResult
-        One row a sensor: whether its calibration covers the day of the test.
-    decision : DecisionRule
-        Simple acceptance or a guard band.
-    uncertainties : dict of str to float
-        Expanded uncertainty by channel, SI.
-    conditions : dict of str to float
-        Conditions of the test, SI.
-    specimen : dict of str to str
-        The legform on the rig.
-    inputs : tuple of InputFile
-        The file itself.
-    """
-
-    header: dict[str, Any] | None
-    checks: tuple[PreconditionResult, ...]
-    decision: DecisionRule
-    uncertainties: dict[str, float]
-    conditions: dict[str, float]
-    specimen: dict[str, str]
-    inputs: tuple[InputFile, ...]
+_PNG = b"\x89PNG\r\n\x1a\n"
+_JPEG = b"\xff\xd8\xff"
 
 
-NO_LABORATORY = LaboratoryPart(None, (), SIMPLE_ACCEPTANCE, {}, {}, {}, ())
-
-
-def read_laboratory(path: Path) -> LaboratoryPart:
+def read_laboratory(path: Path) -> LaboratoryTerms:
     """Read `lab.yaml`.
 
     Raises
@@ -69,10 +42,10 @@ def read_laboratory(path: Path) -> LaboratoryPart:
     logo = embedded_logo(laboratory.logo, path.parent) if laboratory.logo else None
     digest = hashlib.sha256(data).hexdigest()
     source = InputFile(role="laboratory", path=path.name, sha256=digest, text=data.decode("utf-8-sig"))
-    return laboratory_part(laboratory, logo, source)
+    return laboratory_terms(laboratory, logo, source)
 
 
-def laboratory_part(laboratory: Laboratory, logo: str | None, source: InputFile) -> LaboratoryPart:
+def laboratory_terms(laboratory: Laboratory, logo: str | None, source: InputFile) -> LaboratoryTerms:
     """Bring a laboratory's words into the terms of grading.
 
     Raises
@@ -81,7 +54,7 @@ def laboratory_part(laboratory: Laboratory, logo: str | None, source: InputFile)
         When a condition is no quantity.
     """
     rule = laboratory.decision
-    return LaboratoryPart(
+    return LaboratoryTerms(
         header=laboratory.header(logo),
         checks=_sensor_checks(laboratory),
         decision=DecisionRule(rule.r) if rule.rule == "guard band" else SIMPLE_ACCEPTANCE,
@@ -145,3 +118,42 @@ def merged_conditions(told: Mapping[str, float], laboratory: Mapping[str, float]
                 "correct one of them"
             )
     return {**told, **laboratory}
+
+
+def embedded_logo(name: str, folder: Path) -> str:
+    """Return the picture as a `data:` address.
+
+    Parameters
+    ----------
+    name : str
+        As written in the laboratory file: a file in or below its folder.
+    folder : Path
+        That folder.
+
+    Raises
+    ------
+    DefinitionError
+        When it leads out of the folder, is missing, too large, or no PNG or JPEG.
+    """
+    path = folder / name
+    if not path.resolve().is_relative_to(folder.resolve()):
+        raise _logo_problem(name, "lies outside the laboratory file's folder; put the logo beside the file")
+    if not path.is_file():
+        raise _logo_problem(name, "there is no such logo beside the laboratory file")
+    with path.open("rb") as stream:
+        data = stream.read(LOGO_BYTES + 1)
+    if len(data) > LOGO_BYTES:
+        raise _logo_problem(name, f"is larger than {LOGO_BYTES // 1000} kB; scale the logo down")
+    if data.startswith(_PNG) and data[12:16] == b"IHDR":
+        if max(int.from_bytes(data[16:20], "big"), int.from_bytes(data[20:24], "big")) > LOGO_PIXELS:
+            raise _logo_problem(name, f"is wider or higher than {LOGO_PIXELS} pixels; scale the logo down")
+        kind = "png"
+    elif data.startswith(_JPEG):
+        kind = "jpeg"
+    else:
+        raise _logo_problem(name, "is neither PNG nor JPEG; other formats can carry code")
+    return f"data:image/{kind};base64,{base64.b64encode(data).decode()}"
+
+
+def _logo_problem(name: str, message: str) -> DefinitionError:
+    return DefinitionError([Problem(name, 0, 0, message)])

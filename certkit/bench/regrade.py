@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.bench.laboratory_terms import NO_LABORATORY, LaboratoryPart, laboratory_part
+from certkit.bench.laboratory_terms import laboratory_terms
 from certkit.bench.setup import prepare
 from certkit.definitions.laboratory import Laboratory
 from certkit.definitions.loading.kinds import KINDS
@@ -13,7 +13,14 @@ from certkit.definitions.loading.validation import validate
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.channel_curves import recording_of
 from certkit.errors import DataError
-from certkit.grading import evaluate
+from certkit.grading import (
+    NO_LABORATORY,
+    GradingTerms,
+    LaboratoryTerms,
+    SimulatedTerms,
+    evaluate,
+    measure_all,
+)
 
 if TYPE_CHECKING:
     from certkit.documents.result import Result
@@ -51,32 +58,23 @@ def regrade(result: Result) -> Result:
         )
     overrides = [f"{change.path}={change.value}" for change in result.provenance.overrides]
     setup = prepare(result.procedure, library=(shelf,), overrides=overrides)
-    lab = _laboratory(result)
     numerical = {
         c.id: c.uncertainty.numerical
         for c in result.criteria
         if c.uncertainty is not None and c.uncertainty.numerical is not None
     }
+    # What was let pass then is let pass now, and listed in the document's notes.
+    measured = measure_all(setup.procedure, recording_of(result), lenient=True)
     return evaluate(
-        setup.procedure,
-        setup.corridors,
-        recording_of(result),
-        provenance=result.provenance,
-        reference=setup.reference,
-        quality=result.quality,
-        parameters=result.parameters,
-        laboratory=result.laboratory,
-        checks=lab.checks,
-        decision=lab.decision,
-        uncertainties=lab.uncertainties,
-        numerical=numerical,
-        # What was let pass then is let pass now, and listed in the document's notes.
-        lenient=True,
+        measured,
+        GradingTerms(setup.corridors, result.provenance, setup.reference, result.parameters),
+        simulated=SimulatedTerms(quality=result.quality, numerical=numerical),
+        laboratory=_laboratory(result),
     )
 
 
-def _laboratory(result: Result) -> LaboratoryPart:
+def _laboratory(result: Result) -> LaboratoryTerms:
     source = next((item for item in result.provenance.inputs if item.role == "laboratory"), None)
     if source is None or source.text is None:
         return NO_LABORATORY
-    return laboratory_part(validate(read_tree(source.text, source.path), Laboratory), None, source)
+    return laboratory_terms(validate(read_tree(source.text, source.path), Laboratory), None, source)

@@ -10,9 +10,11 @@ from certkit.bench.front import front
 from certkit.bench.picture import picture
 from certkit.bench.setup import Setup, prepare
 from certkit.grading import (
+    SimulatedTerms,
     criterion_values,
     evaluate,
     grade_quality,
+    measure_all,
     numerical_uncertainties,
     step_change_percent,
 )
@@ -23,6 +25,7 @@ if TYPE_CHECKING:
 
     from certkit.definitions.loading.library import Library
     from certkit.documents.result import Result
+    from certkit.grading import Measurements
     from certkit.mechanics import Simulation
 
 SMALLEST = {"N·m": 4.0, "mm": 0.3, "N": 40.0}
@@ -68,26 +71,22 @@ def run(
 def run_setup(setup: Setup, *, refine: bool = True) -> Result:
     """Simulate and grade what `prepare` has loaded; see `run`."""
     simulation = _simulate(setup)
-    refinement = _refine(setup, simulation) if refine else None
+    measured = measure_all(setup.procedure, simulation.recording)
+    refinement = _refine(setup, simulation, measured) if refine else None
     quality = grade_quality(
         simulation.quality,
         step_change_percent=refinement.step_change_percent if refinement else None,
         solver_seconds=simulation.solver_seconds,
     )
-    return evaluate(
-        setup.procedure,
-        setup.corridors,
-        simulation.recording,
-        provenance=setup.provenance(),
-        reference=setup.reference,
+    simulated = SimulatedTerms(
         quality=quality,
+        numerical=refinement.uncertainties if refinement else {},
+        legform=setup.legform.title,
         motion=picture(simulation.motion),
         energies=energies(simulation),
         front=front(simulation),
-        parameters=setup.parameters,
-        specimen={"legform": setup.legform.title},
-        numerical=refinement.uncertainties if refinement else None,
     )
+    return evaluate(measured, setup.terms(), simulated=simulated)
 
 
 def _simulate(setup: Setup, *, time_step: float | None = None, iterations: int | None = None) -> Simulation:
@@ -98,18 +97,18 @@ def _simulate(setup: Setup, *, time_step: float | None = None, iterations: int |
     )
 
 
-def _refine(setup: Setup, reported: Simulation) -> Refinement:
+def _refine(setup: Setup, reported: Simulation, measured: Measurements) -> Refinement:
     """Compare with a run at half the step and one with twice the solver iterations.
 
     The numerical uncertainty of a criterion is the grid convergence index of the step plus the change that
     the iterations make: two causes that have nothing to do with each other, added without hoping that they
     cancel.
     """
-    values = criterion_values(setup.procedure, reported.recording)
+    values = criterion_values(measured)
     half = _simulate(setup, time_step=reported.quality.time_step / 2)
     patient = _simulate(setup, iterations=2 * reported.quality.iterations)
-    halved = criterion_values(setup.procedure, half.recording)
-    iterated = criterion_values(setup.procedure, patient.recording)
+    halved = criterion_values(measure_all(setup.procedure, half.recording))
+    iterated = criterion_values(measure_all(setup.procedure, patient.recording))
     by_step = numerical_uncertainties([values, halved])
     uncertainties = {
         name: by_step[name] + abs(after - before)

@@ -10,6 +10,7 @@ from certkit._version import __version__
 from certkit.definitions.loading.library import Loaded, load, names
 from certkit.definitions.loading.parameter_list import parameters
 from certkit.documents.result import InputFile, Override, Parameter, Provenance
+from certkit.grading.grading_terms import GradingTerms
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -43,6 +44,10 @@ class Setup:
     inputs: tuple[InputFile, ...]
     overrides: tuple[Override, ...]
     parameters: tuple[Parameter, ...]
+
+    def terms(self, *further: InputFile) -> GradingTerms:
+        """Return what the test is graded by; `further` are input files beside the definitions."""
+        return GradingTerms(self.corridors, self.provenance(*further), self.reference, self.parameters)
 
     def provenance(self, *further: InputFile) -> Provenance:
         """Say what went in and which programs worked on it."""

@@ -3,20 +3,29 @@
 from certkit.documents.result_json import from_json, read_result, to_json, write_result
 from certkit.documents.verdicts import exit_code, worst
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
-from certkit.grading.evaluate import criterion_values, evaluate, grade_criteria, overall
+from certkit.grading.evaluate import criterion_values, evaluate, grade_criteria
 from certkit.grading.family_spread import with_spread
+from certkit.grading.grading_terms import NO_LABORATORY, GradingTerms, LaboratoryTerms, SimulatedTerms
+from certkit.grading.measure_all import Measurements, measure_all
+from certkit.grading.overall_verdict import overall
 from certkit.grading.quality_gate import grade_quality
 from certkit.grading.refinement import numerical_uncertainties, step_change_percent
 
 __all__ = [
+    "NO_LABORATORY",
     "SIMPLE_ACCEPTANCE",
     "DecisionRule",
+    "GradingTerms",
+    "LaboratoryTerms",
+    "Measurements",
+    "SimulatedTerms",
     "criterion_values",
     "evaluate",
     "exit_code",
     "from_json",
     "grade_criteria",
     "grade_quality",
+    "measure_all",
     "numerical_uncertainties",
     "overall",
     "read_result",

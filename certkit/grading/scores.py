@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 from certkit.definitions.units import parse_quantity
 from certkit.documents.result import ScoreResult
 from certkit.errors import UsageError
+from certkit.grading.corridors import IMPACTOR
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.definitions.corridor_set import Score
+    from certkit.definitions.corridor_set import CorridorSet, Score
     from certkit.documents.result import CriterionResult
 
 
@@ -30,6 +31,30 @@ def points(value: float, full: float, zero: float, maximum: float) -> float:
     if full == zero:
         return maximum if value < full else 0.0
     return maximum * min(1.0, max(0.0, (zero - value) / (zero - full)))
+
+
+def procedure_scores(
+    named: str | None, corridors: Mapping[str, CorridorSet], criteria: Mapping[str, CriterionResult]
+) -> tuple[list[ScoreResult], list[str]]:
+    """Give the points of the rating scheme that a procedure names; none without one. See `grade_scores`.
+
+    Parameters
+    ----------
+    named : str or None
+        Name of the corridor set with the scores.
+    corridors : mapping of str to CorridorSet
+        By name.
+    criteria : mapping of str to CriterionResult
+        By their ids.
+    """
+    if named is None:
+        return [], []
+    found = corridors.get(named)
+    if found is None:
+        return [], [f"Scores are not given: the set `{named}` was not found."]
+    if found.impactor != IMPACTOR:
+        return [], [f"Scores are not given: `{named}` is for the {found.impactor}."]
+    return grade_scores(found.scores, criteria)
 
 
 def grade_scores(

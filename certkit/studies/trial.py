@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import certkit
 from certkit.bench.setup import PACKAGES, Setup, prepare
 from certkit.definitions.channels import channel_kind
-from certkit.grading import grade_criteria, grade_quality, overall
+from certkit.grading import grade_criteria, grade_quality, measure_all, overall
 from certkit.studies.quantity import written
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class Trial:
         for name in self.procedures:
             setup = self.prepared(name, point)
             simulation = simulate(setup.procedure, setup.legform, vehicle=setup.vehicle)
-            criteria = grade_criteria(setup.procedure, setup.corridors, simulation.recording)
+            criteria = grade_criteria(measure_all(setup.procedure, simulation.recording), setup.corridors)
             quality = grade_quality(simulation.quality)
             for criterion in criteria:
                 outputs[f"{name}/{criterion.id}"] = criterion.value

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from certkit.bench.laboratory_terms import read_laboratory
-from certkit.definitions.logo import embedded_logo
+from certkit.bench.laboratory_terms import embedded_logo, read_laboratory
 from certkit.errors import DataError, DefinitionError
 
 if TYPE_CHECKING:

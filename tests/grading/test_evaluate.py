@@ -14,7 +14,7 @@ from support.sheets import TIME, bump, corridor_set, grade, only, procedure, rec
 from certkit.definitions.loading.library import load
 from certkit.documents.result import PreconditionResult, Quality
 from certkit.errors import DataError, UsageError
-from certkit.grading import DecisionRule, criterion_values
+from certkit.grading import DecisionRule, criterion_values, measure_all
 
 WINDOW = corridor_set(windows={"T1": {"lower": "235 N·m", "upper": "272 N·m"}})
 SHEET = procedure({"id": "T1", "corridor": "set/T1"})
@@ -117,7 +117,7 @@ def test_a_failed_check_leaves_the_test_not_evaluated_with_the_reason():
     expired = PreconditionResult(
         quantity="sensor 12", value=-3.0, unit="d", lower=0.0, verdict="fail", reason="sensor 12 has expired"
     )
-    result = sheet_result(bump(250.0), checks=[expired])
+    result = sheet_result(bump(250.0), checks=(expired,))
     assert result.verdict == "not evaluated"
     assert only(result).verdict == "pass"
     assert "Not evaluated: sensor 12 has expired." in result.remarks
@@ -249,7 +249,7 @@ def test_the_notes_of_corridors_and_filters_are_told():
 def test_criterion_values_are_those_of_the_result():
     rec = pendulum()
     result = grade(PENDULUM, PENDULUM_CORRIDORS, rec)
-    assert criterion_values(PENDULUM, rec) == {c.id: c.value for c in result.criteria}
+    assert criterion_values(measure_all(PENDULUM, rec)) == {c.id: c.value for c in result.criteria}
 
 
 @settings(max_examples=60, deadline=None)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,8 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from certkit.definitions.channels import CHANNELS
 from certkit.definitions.corridor_set import CorridorSet
 from certkit.definitions.procedure import Criterion, Procedure
+from certkit.definitions.reference import Reference
 from certkit.documents.result import Provenance
-from certkit.grading import evaluate
+from certkit.grading import GradingTerms, LaboratoryTerms, SimulatedTerms, evaluate, measure_all
 from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:
@@ -66,9 +69,21 @@ def grade(
     sheet: Procedure,
     corridors: dict[str, CorridorSet],
     rec: Recording,
-    **more: Any,  # noqa: ANN401  # as evaluate takes
+    *,
+    lenient: bool = False,
+    reference: Reference | None = None,
+    notes: Sequence[str] = (),
+    **more: Any,  # noqa: ANN401  # fields of what a laboratory or a simulated run brings
 ) -> Result:
-    return evaluate(sheet, corridors, rec, provenance=PROVENANCE, **more)
+    """Grade by a made-up sheet; `quality=`, `decision=` and the like go where they belong."""
+    own = {field.name for field in fields(SimulatedTerms)}
+    return evaluate(
+        measure_all(sheet, rec, lenient=lenient),
+        GradingTerms(corridors, PROVENANCE, reference),
+        simulated=SimulatedTerms(**{k: v for k, v in more.items() if k in own}),
+        laboratory=LaboratoryTerms(**{k: v for k, v in more.items() if k not in own}),
+        notes=notes,
+    )
 
 
 def only(result: Result) -> CriterionResult:

@@ -1,0 +1,124 @@
+"""All measures of one recording: conditioned, filtered and cut once, for everything that needs them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit.errors import DataError
+from certkit.grading.measure import EvaluationWindow, MeasuredValue, NoInterval, channel_name, measure
+from certkit.signals import AssessmentInterval, Filtered, assessment_interval, condition
+from certkit.signals.interval import BONE_CHANNELS
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from certkit.definitions.procedure import Criterion, Procedure
+    from certkit.signals import Recording
+
+INTERVAL_FILTER = "CFC 180"
+"""Filter of the bone moments that the assessment interval is found on."""
+
+
+@dataclass(frozen=True)
+class Measurements:
+    """What was measured on one recording by one procedure.
+
+    Parameters
+    ----------
+    procedure : Procedure
+        By which it was measured.
+    raw : Recording
+        As simulated or as read.
+    filtered : Filtered
+        The conditioned recording (`recording`) and its channels through their filters.
+    window : EvaluationWindow
+        Seconds that are evaluated.
+    interval : AssessmentInterval or NoInterval
+        Where the criteria ask for one; else a `NoInterval` without a reason.
+    values : mapping of str to MeasuredValue
+        By criterion id.
+    """
+
+    procedure: Procedure
+    raw: Recording
+    filtered: Filtered
+    window: EvaluationWindow
+    interval: AssessmentInterval | NoInterval
+    values: Mapping[str, MeasuredValue]
+
+    @property
+    def recording(self) -> Recording:
+        """The conditioned recording."""
+        return self.filtered.recording
+
+    @property
+    def interval_ends(self) -> tuple[float, float] | None:
+        """Start and end of the assessment interval, s; None where there is none."""
+        return None if isinstance(self.interval, NoInterval) else (self.interval.start, self.interval.end)
+
+    def drawn_filters(self) -> dict[str, str]:
+        """Return the filter that each channel is drawn with: that of its first criterion."""
+        found: dict[str, str] = {}
+        for criterion in self.procedure.criteria:
+            for name in channels_of(criterion):
+                found.setdefault(name, criterion.filter)
+        return found
+
+
+def measure_all(procedure: Procedure, recording: Recording, *, lenient: bool = False) -> Measurements:
+    """Condition a recording, filter its channels once, and measure every criterion.
+
+    Parameters
+    ----------
+    procedure : Procedure
+        Its criteria say what is measured, its fixtures and `run.until` where.
+    recording : Recording
+        As simulated or as read.
+    lenient : bool
+        Keep clipped channels and turn swapped ones, with a note.
+
+    Raises
+    ------
+    DataError
+        When a measured recording cannot be used: clipped, swapped, uneven time steps.
+    UsageError
+        When a criterion makes no sense.
+    """
+    conditioned = condition(recording, procedure, lenient=lenient)
+    wanted: list[tuple[str, str]] = [(name, c.filter) for c in procedure.criteria for name in channels_of(c)]
+    needs_interval = any(c.interval == "assessment interval" for c in procedure.criteria)
+    if needs_interval:
+        wanted += [(name, INTERVAL_FILTER) for name in BONE_CHANNELS]
+    filtered = Filtered(conditioned, wanted)
+    interval = _interval(filtered) if needs_interval else NoInterval("")
+    window = _window(procedure, conditioned)
+    values = {c.id: measure(c, filtered, window, interval) for c in procedure.criteria}
+    return Measurements(procedure, recording, filtered, window, interval, values)
+
+
+def channels_of(criterion: Criterion) -> list[str]:
+    """Return the short names of the channels that a criterion is measured on."""
+    named = [criterion.channel, criterion.at.channel if criterion.at is not None else None]
+    if criterion.curve is not None:
+        named += [criterion.curve.x, criterion.curve.y]
+    return [channel_name(words) for words in named if words is not None]
+
+
+def _window(procedure: Procedure, recording: Recording) -> EvaluationWindow:
+    """Return what is evaluated: static tests whole, others from contact until the procedure's end."""
+    until = procedure.run.until
+    static = procedure.rig.loading_ram is not None
+    start = float(recording.time[0]) if static and recording.time.size else 0.0
+    end = float(recording.time[-1]) if recording.time.size else 0.0
+    return EvaluationWindow(start, end if static or until is None else min(end, float(until)))
+
+
+def _interval(filtered: Filtered) -> AssessmentInterval | NoInterval:
+    """Find the assessment interval; it needs every bone moment, for the last of them ends it."""
+    try:
+        moments = {name: filtered.values(name, INTERVAL_FILTER) for name in BONE_CHANNELS}
+    except DataError as error:
+        return NoInterval(f"no assessment interval: {error}")
+    found = assessment_interval(filtered.recording.time, moments)
+    return found or NoInterval("no assessment interval: no bone moment has a maximum beyond 15 N·m")
