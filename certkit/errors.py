@@ -73,6 +73,10 @@ class UsageError(InputError):
     """A command or call whose arguments do not fit together."""
 
 
+class OldFormWarning(FutureWarning):
+    """An old form of a file, or an old path, that is still read; says what to write instead."""
+
+
 class RunError(CertkitError):
     """A simulation that did not finish or whose numbers cannot be trusted."""
 

@@ -80,7 +80,7 @@ def grade(
         measure_all(setup.procedure, recording, lenient=lenient),
         setup.terms(*files, *mapping_input, *lab.inputs),
         laboratory=lab,
-        notes=[f"{words}: {value}" for words, value in read.header.items()],
+        notes=[*setup.remarks, *(f"{words}: {value}" for words, value in read.header.items())],
     )
 
 

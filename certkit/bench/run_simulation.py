@@ -86,7 +86,7 @@ def run_setup(setup: Setup, *, refine: bool = True) -> Result:
         energies=energies(simulation),
         front=front(simulation),
     )
-    return evaluate(measured, setup.terms(), simulated=simulated)
+    return evaluate(measured, setup.terms(), simulated=simulated, notes=setup.remarks)
 
 
 def _simulate(setup: Setup, *, time_step: float | None = None, iterations: int | None = None) -> Simulation:

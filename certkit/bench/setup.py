@@ -44,6 +44,7 @@ class Setup:
     inputs: tuple[InputFile, ...]
     overrides: tuple[Override, ...]
     parameters: tuple[Parameter, ...]
+    remarks: tuple[str, ...] = ()
 
     def terms(self, *further: InputFile) -> GradingTerms:
         """Return what the test is graded by; `further` are input files beside the definitions."""
@@ -109,6 +110,7 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Sequence
             for change in item.overrides
         ),
         parameters=tuple(_parameters(loaded)),
+        remarks=tuple(remark for _, item in loaded for remark in item.remarks),
     )
 
 

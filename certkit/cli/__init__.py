@@ -7,7 +7,8 @@ import gc
 import os
 import sys
 import traceback
-from typing import Annotated
+import warnings
+from typing import Annotated, TextIO
 
 import typer
 
@@ -29,7 +30,7 @@ from certkit.cli import (
     validate_command,
     verify_command,
 )
-from certkit.errors import CertkitError
+from certkit.errors import CertkitError, OldFormWarning
 
 app = typer.Typer(
     name="certkit",
@@ -96,12 +97,28 @@ def _app_for(name: str) -> typer.Typer:
     return alone
 
 
+def _tell_remark(  # the signature of `warnings.showwarning`
+    message: Warning | str,
+    category: type[Warning],
+    filename: str,
+    lineno: int,
+    file: TextIO | None = None,
+    line: str | None = None,
+) -> None:
+    """Say a warning in one line; one of certkit's own without the place in its code."""
+    text = f"remark: {message}"
+    if not issubclass(category, OldFormWarning):
+        text = warnings.formatwarning(message, category, filename, lineno, line).rstrip()
+    typer.echo(text, file=file or sys.stderr)
+
+
 def main() -> None:
     """Run the command line and end with the contract's exit code."""
     # Imports and documents are many objects and hardly any garbage: to look for it every 700 costs 100 ms.
     gc.set_threshold(500_000)
     # Nor are pydantic's plugins wanted, which it looks for among all packages that are installed: 10 ms.
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    warnings.showwarning = _tell_remark
     try:
         _app_for(sys.argv[1] if len(sys.argv) > 1 else "")()
     except CertkitError as error:

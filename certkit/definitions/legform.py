@@ -7,6 +7,7 @@ from typing import Annotated
 from pydantic import Field
 
 from certkit.definitions.base import Section
+from certkit.definitions.loading.field_types import Axes
 from certkit.definitions.provenance import (
     Angle,
     BendingStiffness,
@@ -43,8 +44,8 @@ class Bone(Section):
 class Ligament(Section):
     """A cable on a preloaded spring: it pulls and never pushes. Points are (x, z), femur side, tibia side."""
 
-    femur: Annotated[list[Length], Field(min_length=2, max_length=2)]
-    tibia: Annotated[list[Length], Field(min_length=2, max_length=2)]
+    femur: Annotated[list[Length], Axes(("x", "z")), Field(min_length=2, max_length=2)]
+    tibia: Annotated[list[Length], Axes(("x", "z")), Field(min_length=2, max_length=2)]
     stiffness: Stiffness
     preload: Force
     damping: Damping

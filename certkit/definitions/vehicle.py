@@ -43,7 +43,7 @@ class Bottoming(Section):
     stiffness: Stiffness
 
 
-class Connection(Section):
+class Spring(Section):
     """What lies between two groups, or between a group and the ground: a spring law and a damper.
 
     Loading is piecewise linear through `loading` (shortening, force), continued with its last slope, and
@@ -100,13 +100,13 @@ class Vehicle(Section):
     vehicle: Annotated[str, Field(description="Its name.")]
     title: str
     groups: Annotated[dict[str, Group], Field(min_length=1, max_length=200)]
-    connections: Annotated[list[Connection], Field(min_length=1, max_length=2000)]
+    springs: Annotated[dict[str, Spring], Field(min_length=1, max_length=2000, description="By their names.")]
     friction: Annotated[Ratio | None, Field(description="Between the leg and the faces.")] = None
     notes: list[str] = []
 
     @model_validator(mode="after")
     def _held(self) -> Self:
-        ends = {end for connection in self.connections for end in connection.between}
+        ends = {end for spring in self.springs.values() for end in spring.between}
         faults: list[Fault] = [
             (("groups", name), f"nothing holds `{name}`; connect it, or leave it out")
             for name in self.groups

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
+import re
 from hashlib import sha256
 from typing import TYPE_CHECKING
 
+from certkit.definitions.loading.old_forms import spring_names
 from certkit.errors import DataError
 from certkit.identification.grouping import GROUND
 
 if TYPE_CHECKING:
-    from certkit.documents.extraction import ExtractionResult, GroupResult, LawResult, PathResult
+    from certkit.documents.extraction import ExtractionResult, GroupResult, LawResult
 
 _HASH_DIGITS = 12
 
@@ -48,14 +50,17 @@ def vehicle_text(result: ExtractionResult) -> str:
         "groups:",
     ]
     lines += [line for group in groups for line in _group(group)]
-    lines.append("connections:")
+    lines.append("springs:")
     known = {g.name for g in groups} | {GROUND}
+    springs: list[tuple[str, str, LawResult]] = []
     for path in result.paths:
         if path.law is None or path.source in held:
             continue
         target = GROUND if path.target in held else path.target
         if path.source in known and target in known:
-            lines += _connection(path, target, path.law)
+            springs.append((path.source, target, path.law))
+    for name, (source, target, law) in zip(spring_names([s[:2] for s in springs]), springs, strict=True):
+        lines += _spring(name, source, target, law)
     lines.append("notes:")
     lines += [f"  - {_quoted(note)}" for note in (*result.warnings, *result.notes, *files)] or ["  []"]
     return "\n".join(lines) + "\n"
@@ -73,8 +78,8 @@ def _group(group: GroupResult) -> list[str]:
     return lines
 
 
-def _connection(path: PathResult, target: str, law: LawResult) -> list[str]:
-    lines = [f"  - between: [{path.source}, {target}]", "    loading:"]
+def _spring(name: str, source: str, target: str, law: LawResult) -> list[str]:
+    lines = [f"  {_key(name)}:", f"    between: [{source}, {target}]", "    loading:"]
     lines += [
         f"      - [{_number(1e3 * x)} mm, {_number(f)} N]"
         for x, f in zip(law.shortening, law.force, strict=True)
@@ -88,6 +93,10 @@ def _connection(path: PathResult, target: str, law: LawResult) -> list[str]:
     if law.tension:
         lines.append("    tension: true")
     return lines
+
+
+def _key(name: str) -> str:
+    return name if re.fullmatch(r"[\w ]+", name) else _quoted(name)
 
 
 def _number(value: float) -> str:

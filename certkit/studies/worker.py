@@ -6,10 +6,12 @@ import os
 import signal
 import threading
 import time
+import warnings
 from multiprocessing import parent_process
 from multiprocessing.connection import wait
 from typing import TYPE_CHECKING
 
+from certkit.errors import OldFormWarning
 from certkit.studies.points import Evaluate, Outcome, Point, attempt
 
 if TYPE_CHECKING:
@@ -24,6 +26,7 @@ _evaluations: list[Evaluate] = []
 def arrive(evaluate: Evaluate) -> None:
     """Make a worker ready: it leaves Ctrl-C to its parent, and ends when the parent is gone."""
     _evaluations[:] = [evaluate]
+    warnings.simplefilter("ignore", OldFormWarning)  # the parent has said it once
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_follow_parent, daemon=True).start()
 

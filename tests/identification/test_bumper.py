@@ -86,6 +86,6 @@ def test_the_vehicle_document_can_be_read_and_says_that_it_is_derived(
     path = tmp_path / "vehicle.yaml"
     path.write_text(vehicle_text(reference))
     vehicle = load("vehicle", path).document
-    point = vehicle.connections[0].loading[1]
+    point = next(iter(vehicle.springs.values())).loading[1]
     assert point[1].confidence == "derived"
     assert "SHA-256" in point[1].source

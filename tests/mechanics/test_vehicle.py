@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from certkit.definitions.loading.library import load
-from certkit.definitions.vehicle import Connection, Vehicle
+from certkit.definitions.vehicle import Spring, Vehicle
 from certkit.errors import DefinitionError, RunError
 from certkit.identification.spring_law import Branch, SpringLaw
 from certkit.mechanics import Simulation, simulate
@@ -101,33 +101,33 @@ def test_a_hysteretic_spring_gives_back_only_the_area_under_its_branch() -> None
     assert 0.5 * 2.0 * v[-10] ** 2 == pytest.approx(given_back, rel=0.01)
 
 
-def connection(**given: object) -> Connection:
+def spring(**given: object) -> Spring:
     data = {
         "between": ["a", "ground"],
         "loading": [["0 mm", "0 N"], ["10 mm", "1000 N"]],
         "origin": {"source": "test", "confidence": "estimated"},
     }
-    return Connection.model_validate({**data, **given})
+    return Spring.model_validate({**data, **given})
 
 
 def test_a_gap_is_free_travel() -> None:
-    push, pull = loading_curve(connection(gap="5 mm"))
+    push, pull = loading_curve(spring(gap="5 mm"))
     assert np.allclose(push, [(0.0, 0.0), (0.005, 0.0), (0.015, 1000.0)])
     assert pull == []
 
 
 def test_bottoming_stiffens_a_spring_beyond_its_travel() -> None:
-    push, _ = loading_curve(connection(bottoming={"at": "20 mm", "stiffness": "500 N/mm"}))
+    push, _ = loading_curve(spring(bottoming={"at": "20 mm", "stiffness": "500 N/mm"}))
     x, f = np.array(push).T
     assert np.interp(0.02, x, f) == pytest.approx(2000.0)
     assert np.interp(0.022, x, f) == pytest.approx(2200.0 + 1000.0)
 
 
 def test_a_spring_that_also_pulls_does_so_as_it_pushes_unless_told_otherwise() -> None:
-    push, pull = loading_curve(connection(tension=True))
+    push, pull = loading_curve(spring(tension=True))
     assert push == pull
     _, own = loading_curve(
-        connection(tension=True, loading=[["-10 mm", "-300 N"], ["0 mm", "0 N"], ["10 mm", "1000 N"]])
+        spring(tension=True, loading=[["-10 mm", "-300 N"], ["0 mm", "0 N"], ["10 mm", "1000 N"]])
     )
     assert np.allclose(own, [(0.0, 0.0), (0.01, 300.0)])
 
@@ -145,9 +145,13 @@ def front(**changes: object) -> Vehicle:
             "A": lower,
             "B": {**lower, "low": "500 mm", "high": "600 mm", "position": "10 mm", **changes},
         },
-        "connections": [
-            {"between": [name, "ground"], "loading": [["0 mm", "0 N"], ["100 mm", "8000 N"]]} for name in "AB"
-        ],
+        "springs": {
+            f"behind {name}": {
+                "between": [name, "ground"],
+                "loading": [["0 mm", "0 N"], ["100 mm", "8000 N"]],
+            }
+            for name in "AB"
+        },
     }
     return Vehicle.model_validate(data)
 
@@ -180,7 +184,7 @@ def test_faces_of_different_kinds_or_with_a_gap_between_them_stay_apart() -> Non
         ("damping: 60 N·s/m", "damping: -60 N·s/m", "is negative"),
         ("mass: 0.3 kg, low: 200 mm", "mass: 0 kg, low: 200 mm", "greater than zero"),
         ("between: [F1, E1]", "between: [F1, E9]", "no group `E9`"),
-        ("  - {between: [E5, ground]", "  - {between: [E5, E5]", "both ends are `E5`"),
+        ("  latch support mount: {between: [E5, ground]", "  latch support mount: {between: [E5, E5]", "both ends are `E5`"),
         ("friction: 0.2", "friktion: 0.2", "friktion"),
         ("  E4: {kind: engine room, mass: 2.0 kg}", "  E4: {kind: engine room, mass: 2.0 kg}\n  E9: {kind: engine room, mass: 2.0 kg}", "nothing holds `E9`"),
     ],
@@ -254,13 +258,13 @@ def test_a_late_second_contact_with_a_group_far_behind_keeps_its_energy() -> Non
 # --- directions: three-point bending of the leg between lower stiffener, bumper and hood --------------------
 
 
-def scaled(vehicle: str, row: int, factor: float) -> str:
-    points = load("vehicle", vehicle).document.connections[row].loading
+def scaled(vehicle: str, spring: str, factor: float) -> str:
+    points = load("vehicle", vehicle).document.springs[spring].loading
     text = ", ".join(f"[{1e3 * x:g} mm, {factor * f:g} N]" for x, f in points)
-    return f"connections.{row + 1}.loading=[{text}]"
+    return f"springs.{spring}.loading=[{text}]"
 
 
-STIFFENER, BUMPER = 0, 3
+STIFFENER, BUMPER = "spoiler foam", "middle foam"
 
 
 @pytest.mark.parametrize("vehicle", SHIPPED)

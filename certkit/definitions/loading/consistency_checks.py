@@ -67,24 +67,24 @@ def check_legform(tree: Tree) -> list[Problem]:
 
 
 def check_vehicle(tree: Tree) -> list[Problem]:
-    """Check that connections lie between groups of this vehicle."""
-    groups, connections = tree.data.get("groups"), tree.data.get("connections")
-    if not isinstance(groups, dict) or not isinstance(connections, list):
+    """Check that springs lie between groups of this vehicle."""
+    groups, springs = tree.data.get("groups"), tree.data.get("springs")
+    if not isinstance(groups, dict) or not isinstance(springs, dict):
         return []
     known = ["ground", *groups]
     found: list[Finding] = []
-    for index, connection in enumerate(connections):
-        ends = connection.get("between") if isinstance(connection, dict) else None
+    for name, spring in springs.items():
+        ends = spring.get("between") if isinstance(spring, dict) else None
         if not isinstance(ends, list):
             continue
-        steps: Steps = ("connections", index, "between")
+        steps: Steps = ("springs", name, "between")
         found += [
             ((*steps, i), f"there is no group `{end}`; {suggestion(str(end), known)}")
             for i, end in enumerate(ends)
             if end not in known
         ]
         if len(ends) == 2 and ends[0] == ends[1]:
-            found.append((steps, f"both ends are `{ends[0]}`; a connection lies between two groups"))
+            found.append((steps, f"both ends are `{ends[0]}`; a spring lies between two groups"))
     return [tree.problem(where, message) for where, message in found]
 
 

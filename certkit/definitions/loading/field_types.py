@@ -27,14 +27,24 @@ class FieldType:
         The document's class.
     dimension : str
         The number's dimension, a key of `certkit.definitions.units.UNITS`.
-    item : Shape, optional
+    item : FieldType, optional
         What each entry of a mapping or list holds.
+    axes : tuple of str
+        Names of a point's coordinates, in their order in the list; empty for any other list.
     """
 
     kind: Literal["number", "document", "mapping", "list", "plain"]
     model: type[BaseModel] | None = None
     dimension: str = ""
     item: FieldType | None = None
+    axes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Axes:
+    """Marks a list of numbers as a point in space: its coordinates have names."""
+
+    names: tuple[str, ...]
 
 
 PLAIN = FieldType("plain")
@@ -42,6 +52,7 @@ PLAIN = FieldType("plain")
 
 def shape_of(annotation: Any, metadata: Iterable[Any] = ()) -> FieldType:  # noqa: ANN401  # any annotation
     """Return the shape behind an annotation; `None` beside another type is left out of account."""
+    metadata = tuple(metadata)
     for mark in metadata:
         if isinstance(mark, QuantityDimension):
             return FieldType("number", dimension=mark.name)
@@ -54,8 +65,15 @@ def shape_of(annotation: Any, metadata: Iterable[Any] = ()) -> FieldType:  # noq
         return FieldType("mapping", item=shape_of(arguments[1]))
     if container in {list, tuple}:
         shapes = [shape_of(a) for a in arguments if a is not Ellipsis]
-        return FieldType("list", item=next((s for s in shapes if s.kind != "plain"), PLAIN))
+        return FieldType(
+            "list", item=next((s for s in shapes if s.kind != "plain"), PLAIN), axes=axes_of(metadata)
+        )
     return next((s for s in map(shape_of, arguments) if s.kind != "plain"), PLAIN)
+
+
+def axes_of(metadata: Iterable[Any]) -> tuple[str, ...]:
+    """Return the names of the coordinates of a point, empty for anything else."""
+    return next((mark.names for mark in metadata if isinstance(mark, Axes)), ())
 
 
 @cache

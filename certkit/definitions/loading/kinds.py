@@ -10,11 +10,14 @@ from typing import TYPE_CHECKING, cast
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
 
     from pydantic import BaseModel
 
+    from certkit.definitions.loading.old_forms import Modernise
     from certkit.definitions.loading.validation import Check
+    from certkit.definitions.loading.yaml_reader import Tree
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,8 @@ class Kind:
         Where the library keeps such files; empty for files that are only ever named by their path.
     checks : str
         `module:function` that looks at the whole file.
+    old_forms : str
+        `module:function` that brings an old form of the file into today's; see `loading.old_forms`.
     """
 
     word: str
@@ -40,11 +45,17 @@ class Kind:
     home: str
     folder: str = ""
     checks: str = ""
+    old_forms: str = ""
 
     @property
     def noun(self) -> str:
         """Return what one such definition is called in a sentence."""
         return "corridor set" if self.word == "corridors" else self.word
+
+    @property
+    def prefix(self) -> str:
+        """Return what stands before the paths of a definition that a procedure names: `vehicle.`."""
+        return f"{self.word}." if self.word in {"legform", "vehicle"} else ""
 
     def answers_to(self, word: str) -> bool:
         """Tell whether a word means this kind: its own word, its plural or singular, or its folder."""
@@ -65,6 +76,14 @@ class Kind:
     def check(self) -> Check | None:
         """Return the check of the whole file, if there is one."""
         return cast("Check", _named(self.checks)) if self.checks else None
+
+    def today(self, tree: Tree, overrides: Sequence[str] = ()) -> tuple[Tree, Sequence[str], tuple[str, ...]]:
+        """Bring a file and changes of its values into today's form; see `loading.old_forms.modernised`."""
+        if not self.old_forms:
+            return tree, overrides, ()
+        from certkit.definitions.loading.old_forms import modernised  # noqa: PLC0415  # for these kinds only
+
+        return modernised(tree, overrides, cast("Modernise", _named(self.old_forms)), self.prefix)
 
 
 def _named(home: str) -> object:
@@ -94,6 +113,7 @@ _ALL = (
         "vehicle:Vehicle",
         "models/vehicles",
         "loading.consistency_checks:check_vehicle",
+        "loading.old_forms:vehicle",
     ),
     Kind("case", "finite-element histories that a vehicle is extracted from", "extraction_case:Case"),
     Kind(

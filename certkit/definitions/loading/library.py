@@ -6,6 +6,7 @@ with certkit. A path (anything with a folder or an ending in it) is read as it s
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from hashlib import sha256
@@ -21,7 +22,7 @@ from certkit.definitions.loading.search_path import FolderShelf, Found, Shelf, s
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.definitions.words import ENDINGS
-from certkit.errors import DefinitionError, UsageError
+from certkit.errors import DefinitionError, OldFormWarning, UsageError
 
 if TYPE_CHECKING:
     from certkit.definitions.calibration import CalibrationTask
@@ -56,6 +57,8 @@ class Loaded(Generic[D_co]):
         Hash and text of the file as it is, before `overrides`.
     overrides : tuple of Change
         Values that were changed.
+    remarks : tuple of str
+        Old forms and paths that were read, and what to write instead.
     """
 
     kind: str
@@ -65,6 +68,7 @@ class Loaded(Generic[D_co]):
     sha256: str
     text: str
     overrides: tuple[Change, ...] = ()
+    remarks: tuple[str, ...] = ()
 
 
 @overload
@@ -144,7 +148,11 @@ def load(
 def parse(kind: Kind, found: Found, overrides: Sequence[str] = ()) -> Loaded[BaseModel]:
     """Read a found definition; see `load`."""
     model = kind.model
-    tree, changes = change(read_tree(found.data, found.file), overrides, model)
+    tree, overrides, remarks = kind.today(read_tree(found.data, found.file), overrides)
+    tree, changes = change(tree, overrides, model, kind.prefix)
+    numbered = tuple(entry.remark for entry in changes if entry.remark)
+    for remark in numbered:
+        warnings.warn(remark, OldFormWarning, stacklevel=2)
     document = validate(tree, model, kind.check)
     if found.name is not None and getattr(document, kind.word) != found.name:
         message = f"the file is called `{found.name}`, so its `{kind.word}` has to be `{found.name}` too"
@@ -157,6 +165,7 @@ def parse(kind: Kind, found: Found, overrides: Sequence[str] = ()) -> Loaded[Bas
         sha256=sha256(found.data).hexdigest(),
         text=found.data.decode("utf-8-sig"),
         overrides=changes,
+        remarks=(*remarks, *numbered),
     )
 
 

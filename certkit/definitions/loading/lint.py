@@ -62,6 +62,7 @@ def _survey(found: Found, kind: Kind | None, library: Library) -> Surveyed:
     try:
         tree = read_tree(found.data, found.file)
         known = kind or kind_in(tree)
+        tree, _, _ = known.today(tree)
         document = validate(tree, known.model, known.check)
     except DefinitionError as error:
         return found.file, error.problems

@@ -1,7 +1,9 @@
 """Change values of a definition for one run: `rig.hinge.offset=30 mm`, `criteria.T1.filter=none`.
 
-A path is words with dots between them. Underscores and hyphens stand for spaces; list entries are named by
-their id or by their number, from 1.
+A path is words with dots between them. Underscores and hyphens stand for spaces. List entries have names: a
+criterion its id, a precondition its quantity, a point its coordinates (`x`, `z`), a point of a curve its
+abscissa (`loading.28 mm` is the force there). Their numbers, from 1, are an old way to name them; only where
+an entry has no name of its own is its number the way.
 """
 
 from __future__ import annotations
@@ -36,11 +38,14 @@ class Change:
         What it is now.
     was : str, optional
         What the file says; None where it says nothing.
+    remark : str
+        What to write instead of an old path; empty for a path of today.
     """
 
     path: str
     value: str
     was: str | None
+    remark: str = ""
 
 
 @dataclass(frozen=True)
@@ -51,6 +56,21 @@ class _Spot:
     words: str
     shape: FieldType
     sourced: Steps | None
+    numbered: bool = False
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """Something that can be named below a value: the steps to it, what it holds, its name of today.
+
+    `numbered` where it was named by its number though it has a name.
+    """
+
+    steps: Steps
+    shape: FieldType
+    value: Any
+    word: str
+    numbered: bool = False
 
 
 def split(override: str) -> tuple[str, str]:
@@ -67,7 +87,9 @@ def split(override: str) -> tuple[str, str]:
     return path.strip(), value.strip()
 
 
-def change(tree: Tree, overrides: Sequence[str], model: type[BaseModel]) -> tuple[Tree, tuple[Change, ...]]:
+def change(
+    tree: Tree, overrides: Sequence[str], model: type[BaseModel], prefix: str = ""
+) -> tuple[Tree, tuple[Change, ...]]:
     """Return the tree with the values changed, and what was changed.
 
     Parameters
@@ -78,6 +100,8 @@ def change(tree: Tree, overrides: Sequence[str], model: type[BaseModel]) -> tupl
         Each `path=value`; applied in turn.
     model : type
         The definition's document, which also knows the keys that are not in the file.
+    prefix : str
+        What stands before such paths on the command line: `legform.`.
 
     Raises
     ------
@@ -97,32 +121,55 @@ def change(tree: Tree, overrides: Sequence[str], model: type[BaseModel]) -> tupl
             for key, said in ORIGIN.items():
                 data = _with(data, (*spot.sourced, key), said)
         changed[spot.steps] = f"--set {path}"
-        changes.append(Change(spot.words, _shown(value), None if was is None else _shown(was)))
+        remark = f"`{prefix}{path}` is an old path; write `{prefix}{spot.words}`" if spot.numbered else ""
+        changes.append(Change(spot.words, _shown(value), None if was is None else _shown(was), remark))
     return replace(tree, data=data, changed=changed), tuple(changes)
 
 
 def known_paths(data: Any, shape: FieldType, prefix: str = "") -> Iterator[str]:  # noqa: ANN401  # raw YAML data
     """Yield the paths of all values that a definition has or could have."""
-    for name, (_, inner, entry) in _below(data, shape).items():
+    for name, entry in _below(data, shape).items():
+        if entry.numbered:
+            continue
         path = f"{prefix}.{name}" if prefix else name
         yield path
-        yield from known_paths(entry, inner, path)
+        yield from known_paths(entry.value, entry.shape, path)
 
 
-def _below(data: Any, shape: FieldType) -> dict[str, tuple[str | int, FieldType, Any]]:  # noqa: ANN401  # raw YAML data
-    """Return what can be named below a value: name → step, shape, value."""
+def _below(data: Any, shape: FieldType) -> dict[str, _Entry]:  # noqa: ANN401  # raw YAML data
+    """Return what can be named below a value."""
     if shape.model is not None:
         given = data if isinstance(data, dict) else {}
-        return {key: (key, inner, given.get(key)) for key, inner in fields(shape.model).items()}
+        return {key: _Entry((key,), inner, given.get(key), key) for key, inner in fields(shape.model).items()}
     if shape.item is None:
         return {}
     if isinstance(data, dict):
-        return {str(key): (key, shape.item, value) for key, value in data.items()}
-    below: dict[str, tuple[str | int, FieldType, Any]] = {}
-    for index, entry in enumerate(data if isinstance(data, list) else ()):
-        own = entry.get("id") if isinstance(entry, dict) else None
-        below[own if isinstance(own, str) else str(index + 1)] = (index, shape.item, entry)
+        return {str(key): _Entry((key,), shape.item, value, str(key)) for key, value in data.items()}
+    below: dict[str, _Entry] = {}
+    for index, value in enumerate(data if isinstance(data, list) else ()):
+        for entry_name, entry in _list_entries(index, value, shape):
+            below.setdefault(entry_name, entry)
     return below
+
+
+def _list_entries(index: int, value: Any, shape: FieldType) -> Iterator[tuple[str, _Entry]]:  # noqa: ANN401  # raw YAML data
+    """Yield the names of a list's entry: its own, and its number."""
+    item, number = shape.item or FieldType("plain"), str(index + 1)
+    if item.kind == "list" and item.item is not None and isinstance(value, list) and len(value) == 2:
+        # A point of a curve: its ordinate is named by its abscissa.
+        at = _shown(value[0])
+        ordinate = _Entry((index, 1), item.item, value[1], at)
+        yield at, ordinate
+        yield f"{number}.2", replace(ordinate, numbered=True)
+        yield f"{number}.1", _Entry((index, 0), item.item, value[0], f"{number}.1")
+        return
+    own = (value.get("id") or value.get("quantity")) if isinstance(value, dict) else None
+    if shape.axes and index < len(shape.axes):
+        own = shape.axes[index]
+    name = own if isinstance(own, str) else number
+    yield name, _Entry((index,), item, value, name)
+    if name != number:
+        yield number, _Entry((index,), item, value, name, numbered=True)
 
 
 def _find(path: str, data: Any, model: type[BaseModel]) -> _Spot:  # noqa: ANN401  # raw YAML data
@@ -132,30 +179,24 @@ def _find(path: str, data: Any, model: type[BaseModel]) -> _Spot:  # noqa: ANN40
     steps: list[str | int] = []
     words: list[str] = []
     sourced: Steps | None = None
+    numbered = False
     while rest:
         below = _below(data, shape)
-        first, _, _ = rest.partition(".")
-        if (
-            isinstance(data, list)
-            and first.isdecimal()
-            and 0 < int(first) <= len(data)
-            and first not in below
-        ):
-            rest = plain(list(below)[int(first) - 1]) + rest[len(first) :]
         fitting = [name for name in below if rest == plain(name) or rest.startswith(f"{plain(name)}.")]
         if not fitting:
             near = nearest(path, list(known_paths(top, FieldType("document", model=model))))
-            there = [".".join([*words, name]) for name in below]
+            there = [".".join([*words, name]) for name, entry in below.items() if not entry.numbered]
             hint = f"did you mean `{near}`?" if near else suggestion(path, there)
             raise UsageError(f"`--set {path}`: there is no such value; {hint}")
         name = max(fitting, key=len)
         if shape.model is not None and set(ORIGIN) <= set(fields(shape.model)):
             sourced = tuple(steps)
-        step, shape, data = below[name]
-        steps.append(step)
-        words.append(name)
+        found = below[name]
+        shape, data, numbered = found.shape, found.value, numbered or found.numbered
+        steps.extend(found.steps)
+        words.append(found.word)
         rest = rest[len(plain(name)) + 1 :]
-    return _Spot(tuple(steps), ".".join(words), shape, sourced)
+    return _Spot(tuple(steps), ".".join(words), shape, sourced, numbered)
 
 
 def _sourced(value: Any, shape: FieldType) -> Any:  # noqa: ANN401  # raw YAML data

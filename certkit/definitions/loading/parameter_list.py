@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from pydantic import BaseModel
 
 from certkit.definitions.base import Sourced, words
+from certkit.definitions.loading.field_types import axes_of
 from certkit.definitions.provenance import Confidence, Number
 
 if TYPE_CHECKING:
@@ -60,7 +61,12 @@ def _entries(given: object) -> Iterator[tuple[str, object]]:
     """Yield what a part of a document holds, by the words it is found under; nothing for plain values."""
     if isinstance(given, BaseModel):
         for name, info in type(given).model_fields.items():
-            yield info.alias or words(name), getattr(given, name)
+            key, entry = info.alias or words(name), getattr(given, name)
+            axes = axes_of(info.metadata)
+            if axes and entry is not None:
+                yield from ((f"{key}.{axis}", number) for axis, number in zip(axes, entry, strict=True))
+            else:
+                yield key, entry
     elif isinstance(given, dict):
         for key, entry in given.items():
             yield str(key), entry

@@ -31,7 +31,7 @@ class FrontHistories:
     displacement : mapping of str to ndarray
         Of each group along x, m.
     springs : mapping of str to (ndarray, ndarray)
-        Shortening (m) and force (N) of each connection, by its name `F4 – E2`.
+        Shortening (m) and force (N) of each spring, by its name.
     """
 
     time: Floats

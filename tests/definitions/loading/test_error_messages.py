@@ -178,20 +178,20 @@ def test_a_legform_has_its_four_ligaments(tmp_path: Path):
     ]
 
 
-def test_a_vehicles_connections_lie_between_its_groups(tmp_path: Path):
+def test_a_vehicles_springs_lie_between_its_groups(tmp_path: Path):
     text = """\
 vehicle: mine
 title: A car
 origin: {source: made up, confidence: estimated}
 groups:
   bumper: {kind: fascia, mass: 1 kg, position: 0 mm, low: 0.4 m, high: 0.5 m}
-connections:
-  - {between: [bumber, ground], loading: [[0 mm, 0 N], [10 mm, 1 kN]]}
-  - {between: [bumper, bumper], loading: [[0 mm, 0 N], [10 mm, 1 kg]]}
+springs:
+  front: {between: [bumber, ground], loading: [[0 mm, 0 N], [10 mm, 1 kN]]}
+  back: {between: [bumper, bumper], loading: [[0 mm, 0 N], [10 mm, 1 kg]]}
 """
     found = [problem.partition(": ")[2] for problem in said(tmp_path, text, "vehicle")]
     assert "there is no group `bumber`; did you mean `bumper`?" in found
-    assert "both ends are `bumper`; a connection lies between two groups" in found
+    assert "both ends are `bumper`; a spring lies between two groups" in found
     assert "`1 kg` has the unit `kg`; a force is written in N, kN" in found
 
 

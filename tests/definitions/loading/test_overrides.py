@@ -6,7 +6,7 @@ import pytest
 
 from certkit.definitions.loading.library import load
 from certkit.definitions.loading.overrides import Change
-from certkit.errors import DefinitionError, UsageError
+from certkit.errors import DefinitionError, OldFormWarning, UsageError
 
 
 def test_a_changed_number_says_that_it_was_set_on_the_command_line():
@@ -34,9 +34,10 @@ def test_spaces_may_be_written_as_underscores_or_hyphens(path: str):
     assert loaded.overrides[0].path == "rig.added mass.mass"
 
 
-def test_a_criterion_is_named_by_its_id_or_its_number():
+def test_a_criterion_is_named_by_its_id_and_its_number_is_an_old_name():
     by_id = load("procedure", "pendulum", overrides=["criteria.T2.filter=none"])
-    by_number = load("procedure", "pendulum", overrides=["criteria.2.filter=none"])
+    with pytest.warns(OldFormWarning, match=r"write `criteria\.T2\.filter`"):
+        by_number = load("procedure", "pendulum", overrides=["criteria.2.filter=none"])
     assert by_id.document == by_number.document
     assert by_id.document.criteria[1].filter == "none"
     assert by_id.overrides[0].was == "CFC 180"

@@ -82,4 +82,4 @@ def test_a_corridor_is_one_line():
 
 def test_points_of_a_ligament_are_listed_one_by_one():
     paths = {number.path for number in parameters(load("legform", "flex-pli-gtr").document)}
-    assert {"knee.ligaments.MCL.femur.1", "knee.ligaments.MCL.femur.2", "gauges.T4"} <= paths
+    assert {"knee.ligaments.MCL.femur.x", "knee.ligaments.MCL.femur.z", "gauges.T4"} <= paths

@@ -1,0 +1,132 @@
+"""Old forms of files and old paths: read for one release, each with a remark that gives the new form.
+
+A kind of definition that has changed names a function in `certkit.definitions.loading.kinds`. It gets the
+file's plain data and returns the data in today's form and where the parts have moved to; the places of the
+values and the paths of `--set` follow from that.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from certkit.definitions.loading.error_messages import plain
+from certkit.errors import OldFormWarning
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from certkit.definitions.loading.faults import Steps
+    from certkit.definitions.loading.yaml_reader import Tree
+
+
+@dataclass(frozen=True)
+class Moved:
+    """A file's data in today's form.
+
+    Parameters
+    ----------
+    data : dict
+        Plain data.
+    moves : mapping of steps to steps
+        Where a part stood in the old form, and where it stands now; also of a file that has today's form, so
+        that old paths find their way.
+    remark : str
+        What is old about the file; empty for a file in today's form.
+    """
+
+    data: dict[str, Any]
+    moves: Mapping[Steps, Steps]
+    remark: str = ""
+
+
+Modernise = Callable[[dict[str, Any]], Moved]
+"""Brings plain data of a kind into today's form."""
+
+
+def modernised(
+    tree: Tree, overrides: Sequence[str], modernise: Modernise, prefix: str = ""
+) -> tuple[Tree, list[str], tuple[str, ...]]:
+    """Bring a file and the changes of its values into today's form.
+
+    Parameters
+    ----------
+    tree : Tree
+        As read.
+    overrides : sequence of str
+        Each `path=value`.
+    modernise : callable
+        Of the file's kind.
+    prefix : str
+        What stands before the paths on the command line: `vehicle.`.
+
+    Returns
+    -------
+    tree, overrides, remarks
+        The remarks are also given as `OldFormWarning`.
+    """
+    moved = modernise(tree.data)
+    remarks = [f"{tree.file}: {moved.remark}"] if moved.remark else []
+    if moved.remark:
+        places = [
+            {_new(steps, moved.moves): at for steps, at in held.items()} for held in (tree.values, tree.keys)
+        ]
+        tree = replace(tree, data=moved.data, values=places[0], keys=places[1])
+    changed = []
+    for override in overrides:
+        path, sign, value = override.partition("=")
+        today = _today(path.strip(), moved.moves)
+        if today is not None:
+            remarks.append(f"`{prefix}{path.strip()}` is an old path; write `{prefix}{today}`")
+            path = today
+        changed.append(f"{path}{sign}{value}")
+    for remark in remarks:
+        warnings.warn(remark, OldFormWarning, stacklevel=2)
+    return tree, changed, tuple(remarks)
+
+
+def _new(steps: Steps, moves: Mapping[Steps, Steps]) -> Steps:
+    for end in range(len(steps), 0, -1):
+        if steps[:end] in moves:
+            return (*moves[steps[:end]], *steps[end:])
+    return steps
+
+
+def _today(path: str, moves: Mapping[Steps, Steps]) -> str | None:
+    """Return today's path of an old one, or None."""
+    flat = plain(path)
+    for old, new in sorted(moves.items(), key=lambda move: -len(move[0])):
+        start = ".".join(str(step + 1) if isinstance(step, int) else step for step in old)
+        if flat == plain(start) or flat.startswith(f"{plain(start)}."):
+            return ".".join(str(step) for step in new) + flat[len(plain(start)) :]
+    return None
+
+
+def vehicle(data: dict[str, Any]) -> Moved:
+    """Springs had no names: `connections` was a list, and a path held a position in it."""
+    springs, listed = data.get("springs"), data.get("connections")
+    if isinstance(springs, dict) or not isinstance(listed, list):
+        names = list(springs) if isinstance(springs, dict) else []
+        return Moved(data, {("connections", i): ("springs", name) for i, name in enumerate(names)})
+    names = spring_names([entry.get("between") if isinstance(entry, dict) else None for entry in listed])
+    named = dict(zip(names, listed, strict=True))
+    moves: dict[Steps, Steps] = {("connections",): ("springs",)}
+    moves |= {("connections", i): ("springs", name) for i, name in enumerate(names)}
+    today = {("springs" if key == "connections" else key): value for key, value in data.items()}
+    example = f", such as `{names[0]}: {{…}}`" if names else ""
+    remark = f"`connections` is an old form; write `springs:` with a name before each{example}"
+    return Moved({**today, "springs": named}, moves, remark)
+
+
+def spring_names(ends: Sequence[object]) -> list[str]:
+    """Name springs by what they lie between: `F1 to E1`; a second one of the same ends is `F1 to E1, 2`."""
+    names: list[str] = []
+    for pair in ends:
+        base = " to ".join(map(str, pair)) if isinstance(pair, (list, tuple)) else f"spring {len(names) + 1}"
+        name, number = base, 2
+        while name in names:
+            name, number = f"{base}, {number}", number + 1
+        names.append(name)
+    return names
