@@ -8,8 +8,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.documents.channel_curves import recording_of
+from certkit.documents.result import Result
 from certkit.errors import DataError
-from certkit.grading import read_result
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -31,7 +31,7 @@ def recognised(path: Path) -> Recording | None:
     from certkit.exchange.channels_csv import channels_csv  # noqa: PLC0415  # only for this one comparison
 
     try:
-        result = read_result(document)
+        result = Result.read(document)
         table = channels_csv(result)
     except DataError:
         return None

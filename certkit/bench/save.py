@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.files import write_whole
-from certkit.grading import from_json, to_json
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
@@ -30,15 +29,15 @@ def save(result: Result, out: Path, formats: Collection[str]) -> list[Path]:
     list of Path
         What was written, the JSON first.
     """
-    document = out / "result.json"
-    text = to_json(result)
+    document = out / result.file_name
+    text = result.to_json()
     write_whole(document, text)
     if not formats:
         return [document]
     from certkit.reporting.writing import render_written  # noqa: PLC0415  # only where a report is wanted
 
     # From the text, whose numbers are rounded, so that reports are the ones that the document alone makes.
-    return [document, *render_written(from_json(text), out, formats)]
+    return [document, *render_written(result.from_json(text), out, formats)]
 
 
 def save_suite(results: Sequence[Result], out: Path, formats: Collection[str]) -> list[Path]:

@@ -6,14 +6,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.documents.channel_curves import recording_of
+from certkit.documents.result import Result
 from certkit.exchange.read import read_recording
-from certkit.grading import read_result
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.definitions.channel_mapping import Mapping
-    from certkit.documents.result import Result
     from certkit.signals import Recording
 
 
@@ -45,7 +44,7 @@ def load_source(path: Path, mapping: Mapping | None = None, *, lenient: bool = F
     """
     document = path / "result.json" if path.is_dir() else path
     if document.suffix.lower() == ".json" and document.is_file():
-        result = read_result(document)
+        result = Result.read(document)
         return Source(_label(path), recording_of(result), result)
     return Source(_label(path), read_recording(path, mapping, lenient=lenient).recording)
 

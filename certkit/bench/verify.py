@@ -11,17 +11,18 @@ from typing import TYPE_CHECKING
 from certkit._version import __version__
 from certkit.bench.pdf_attachments import Attached, attachments_of
 from certkit.bench.regrade import regrade
-from certkit.documents.certificate_id import certificate_id
+from certkit.documents.document_kinds import documents_from
+from certkit.documents.result import Result
 from certkit.errors import CertkitError, DataError
 from certkit.exchange.channels_csv import channels_csv
 from certkit.exchange.container import read_bounded
-from certkit.grading import from_json, to_json
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from pathlib import Path
 
-    from certkit.documents.result import CriterionResult, Result
+    from certkit.documents.output_document import OutputDocument
+    from certkit.documents.result import CriterionResult
 
 SAME = 1e-5
 """Relative difference of values that count as the same: the document keeps seven digits of its channels."""
@@ -66,7 +67,8 @@ def verify(path: Path) -> Verification:
     Parameters
     ----------
     path : Path
-        `result.json`, `report.pdf` (by its attachments), or the folder of a run.
+        A document that certkit wrote (`result.json`, `extraction.json`, …), `report.pdf` (by its
+        attachments), or the folder of a run.
 
     Raises
     ------
@@ -77,9 +79,15 @@ def verify(path: Path) -> Verification:
         return _folder(path)
     if path.suffix.lower() == ".pdf":
         return _pdf(path)
-    result = _result(read_bounded(path), str(path))
-    checks = (*_document_checks(path.name, read_bounded(path), result), *_grading_checks(result))
-    return Verification(str(path), (result.id,), checks)
+    content = read_bounded(path)
+    documents = documents_from(content, str(path))
+    checks: list[Check] = []
+    for document in documents:
+        # In a list of several, the layout of each is not its own.
+        checks += _document_checks(path.name, content, document, bytes_matter=len(documents) == 1)
+        if isinstance(document, Result):
+            checks += _grading_checks(document)
+    return Verification(str(path), tuple(document.id for document in documents), tuple(checks))
 
 
 def _folder(path: Path) -> Verification:
@@ -186,7 +194,7 @@ def _manifest_checks(attached: Attached) -> Iterator[Check]:
 def _result(content: bytes, name: str, found: list[Check] | None = None) -> Result:
     """Read a document; when it is too damaged, say what the hashes have shown already."""
     try:
-        return from_json(content, name)
+        return Result.from_json(content, name)
     except DataError as error:
         changed = [check.what for check in found or [] if not check.holds]
         if changed:
@@ -196,29 +204,37 @@ def _result(content: bytes, name: str, found: list[Check] | None = None) -> Resu
         raise
 
 
-def _document_checks(name: str, content: bytes, result: Result, *, bytes_matter: bool = True) -> list[Check]:
-    """Check a document's own id, its bytes, and the hashes of the definitions it carries."""
-    expected = certificate_id(result)
-    same = expected == result.id
-    said = "" if same else f"its content was changed: it says {result.id}, its content makes {expected}"
+def _document_checks(
+    name: str, content: bytes, document: OutputDocument, *, bytes_matter: bool = True
+) -> list[Check]:
+    """Check a document's own id, its bytes, and the hashes of the definitions that a result carries."""
+    expected = document.content_id()
+    same = expected == document.id
+    said = "" if same else f"its content was changed: it says {document.id}, its content makes {expected}"
     checks = [Check(f"{name}: certificate id", same, said)]
     # Another certkit may know fewer or more fields, and writes those.
-    if bytes_matter and same and result.provenance.certkit == __version__:
-        untouched = content == to_json(result).encode()
+    if bytes_matter and same and not (isinstance(document, Result) and _of_another_certkit(document)):
+        untouched = content == document.to_json().encode()
         checks.append(
             Check(f"{name}: bytes", untouched, "" if untouched else "are not as certkit writes them")
         )
+    if isinstance(document, Result):
+        checks += _input_checks(name, document)
+    return checks
+
+
+def _of_another_certkit(result: Result) -> bool:
+    return result.provenance.certkit != __version__
+
+
+def _input_checks(name: str, result: Result) -> Iterator[Check]:
     for item in result.provenance.inputs:
         if item.text is None:
             continue
         digests = {hashlib.sha256(mark + item.text.encode()).hexdigest() for mark in (b"", b"\xef\xbb\xbf")}
         kept = item.sha256 in digests
-        checks.append(
-            Check(
-                f"{name}: {item.role} {item.path}", kept, "" if kept else "was changed: its hash is another"
-            )
-        )
-    return checks
+        said = "" if kept else "was changed: its hash is another"
+        yield Check(f"{name}: {item.role} {item.path}", kept, said)
 
 
 def _table_check(name: str, content: bytes, result: Result) -> Check:

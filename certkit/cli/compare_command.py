@@ -53,7 +53,6 @@ def compare(
     from certkit.bench.compare import compare as put_beside  # noqa: PLC0415  # numpy waits until it is needed
     from certkit.definitions.channel_mapping import Mapping  # noqa: PLC0415  # likewise
     from certkit.definitions.loading.validation import read_document  # noqa: PLC0415  # likewise
-    from certkit.documents.comparison import comparison_json, write_comparison  # noqa: PLC0415  # likewise
     from certkit.errors import UsageError  # noqa: PLC0415  # likewise
     from certkit.reporting.comparison_report import comparison_text, render_comparison  # noqa: PLC0415  # likewise
 
@@ -72,7 +71,7 @@ def compare(
     folder = out or Path("runs") / f"compare-{document.reference.label}-{document.other.label}".replace(
         " ", "-"
     )
-    write_comparison(document, folder / "comparison.json")
+    document.write(folder / "comparison.json")
     render_comparison(document, folder, wanted)
-    typer.echo(comparison_json(document) if as_json else comparison_text(document), nl=not as_json)
+    typer.echo(document.to_json() if as_json else comparison_text(document), nl=not as_json)
     typer.echo(f"written to {folder}", err=True)

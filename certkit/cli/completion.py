@@ -10,9 +10,11 @@ def kinds(incomplete: str) -> list[str]:
     return [word for word in KINDS if word.startswith(incomplete)]
 
 
-def kinds_and_result(incomplete: str) -> list[str]:
+def kinds_and_documents(incomplete: str) -> list[str]:
     """Offer whatever has a schema."""
-    return [word for word in [*kinds(""), "result"] if word.startswith(incomplete)]
+    from certkit.documents.document_kinds import DOCUMENTS  # noqa: PLC0415  # as above
+
+    return [word for word in [*kinds(""), *DOCUMENTS] if word.startswith(incomplete)]
 
 
 def procedures(incomplete: str) -> list[str]:

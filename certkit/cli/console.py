@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import sys
 from pathlib import Path
@@ -101,17 +100,12 @@ def tell_files(written: Sequence[Path]) -> None:
 
 def show(results: Sequence[Result], *, as_json: bool, folder: Path) -> None:
     """Print the verdict tables, or the document alone; tell the CI service beside them."""
-    from certkit.grading import to_json  # noqa: PLC0415  # not on the path of `--help`
+    from certkit.documents.output_document import listed_json  # noqa: PLC0415  # not on the path of `--help`
 
     if not results:
         return
     if as_json:
-        texts = [to_json(result) for result in results]
-        text = (
-            texts[0]
-            if len(texts) == 1
-            else json.dumps([json.loads(t) for t in texts], ensure_ascii=False) + "\n"
-        )
+        text = results[0].to_json() if len(results) == 1 else listed_json(results)
         typer.echo(text, nl=False)
         return
     from certkit.reporting import text_table as terminal  # noqa: PLC0415  # likewise

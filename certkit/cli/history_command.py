@@ -65,7 +65,7 @@ def show(
     """Show what is known of a legform: text, JSON or a page. Exit code 1 when a certification is due."""
     from certkit.definitions.loading.validation import read_document  # noqa: PLC0415  # likewise
     from certkit.definitions.logbook_rules import LogbookRules  # noqa: PLC0415  # pydantic waits until it is needed
-    from certkit.documents.logbook_overview import overview_json  # noqa: PLC0415  # likewise
+    from certkit.documents.output_document import listed_json  # noqa: PLC0415  # likewise
     from certkit.files import write_whole  # noqa: PLC0415  # likewise
     from certkit.logbook.logbook_store import Logbook  # noqa: PLC0415  # likewise
     from certkit.logbook.overview import overview  # noqa: PLC0415  # likewise
@@ -79,7 +79,7 @@ def show(
         write_whole(html, logbook_page(legs))
         typer.echo(f"wrote {html}", err=True)
     if as_json:
-        typer.echo(overview_json(legs), nl=False)
+        typer.echo(listed_json(legs), nl=False)
     else:
         typer.echo("\n\n\n".join(overview_text(leg) for leg in legs))
     raise typer.Exit(0 if all(leg.state == "valid" for leg in legs) else 1)

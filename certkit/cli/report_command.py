@@ -1,4 +1,4 @@
-"""`certkit report`: render again, from result documents alone."""
+"""`certkit report`: render again, from the documents alone."""
 
 from __future__ import annotations
 
@@ -10,7 +10,10 @@ import typer
 
 Documents = Annotated[
     list[Path],
-    typer.Argument(metavar="RESULT.json...", help="Result documents; several are also bound into a suite."),
+    typer.Argument(
+        metavar="DOCUMENT.json...",
+        help="What certkit wrote: result, comparison, … Several results are also bound into a suite.",
+    ),
 ]
 
 
@@ -26,8 +29,13 @@ def report(
     *,
     out: Annotated[Path | None, typer.Option("--out", help="Folder.", show_default="beside the JSON")] = None,
     formats: Annotated[
-        str, typer.Option("--format", help="Separated by commas: html, pdf, junit, csv, md.")
-    ] = "html,pdf",
+        str | None,
+        typer.Option(
+            "--format",
+            help="Separated by commas: html, pdf, junit, csv, md.",
+            show_default="html, and pdf where there is one",
+        ),
+    ] = None,
     paper: Annotated[Paper, typer.Option("--paper", help="Page size of the PDF.")] = Paper.A4,
     sign: Annotated[
         Path | None,
@@ -39,21 +47,25 @@ def report(
     ] = None,
     title: Annotated[str, typer.Option("--title", help="Title of a suite.")] = "Certification suite",
 ) -> None:
-    """Render reports again from result.json: the same bytes as the run wrote."""
-    from certkit.documents.result_json import read_result  # noqa: PLC0415  # likewise
-    from certkit.files import write_whole  # noqa: PLC0415  # pydantic waits until it is needed
-    from certkit.reporting import render, render_suite  # noqa: PLC0415  # likewise
+    """Render any document that certkit wrote again, from its JSON alone: the same bytes as before."""
+    from certkit.documents.document_kinds import read_documents  # noqa: PLC0415  # pydantic waits until now
+    from certkit.documents.result import Result  # noqa: PLC0415  # likewise
+    from certkit.files import write_whole  # noqa: PLC0415  # likewise
+    from certkit.reporting import render_suite  # noqa: PLC0415  # likewise
+    from certkit.reporting.document_reports import render_document  # noqa: PLC0415  # likewise
     from certkit.reporting.signing import sign as sign_pdf  # noqa: PLC0415  # likewise
 
-    wanted = [name.strip() for name in formats.split(",") if name.strip()]
-    documents = [read_result(path) for path in results]
+    wanted = None if formats is None else [name.strip() for name in formats.split(",") if name.strip()]
+    documents = [(path, document) for path in results for document in read_documents(path)]
     written: list[Path] = []
-    for path, document in zip(results, documents, strict=True):
-        folder = path.parent if out is None else out / document.procedure if len(results) > 1 else out
-        written += render(document, folder, wanted, paper=paper.value)
-    if len(documents) > 1:
+    for path, document in documents:
+        name = document.procedure if isinstance(document, Result) else path.stem
+        folder = path.parent if out is None else out / name if len(results) > 1 else out
+        written += render_document(document, folder, wanted, paper=paper.value)
+    tests = [document for _, document in documents if isinstance(document, Result)]
+    if len(tests) > 1:
         folder = results[0].parent.parent if out is None else out
-        written += render_suite(documents, folder, wanted, title=title, paper=paper.value)
+        written += render_suite(tests, folder, wanted or ["html", "pdf"], title=title, paper=paper.value)
     if sign is not None:
         for path in written:
             if path.suffix == ".pdf":

@@ -15,23 +15,22 @@ def schema(
         str,
         typer.Argument(
             metavar="KIND",
-            autocompletion=completion.kinds_and_result,
-            help="procedure, corridors, legform, vehicle, reference, …; or result, for result.json.",
+            autocompletion=completion.kinds_and_documents,
+            help="procedure, corridors, legform, …; or what certkit writes: result, comparison, …",
         ),
     ],
 ) -> None:
-    """Print the JSON Schema of a kind of definition, or of the result document.
+    """Print the JSON Schema of a kind of definition, or of a document that certkit writes.
 
     An editor with a YAML language server completes and checks a file that begins with
     `# yaml-language-server: $schema=procedure.schema.json`.
     """
     from certkit.definitions.loading.json_schema import DIALECT, schema_of  # noqa: PLC0415  # likewise
     from certkit.definitions.loading.kinds import kind_of  # noqa: PLC0415  # pydantic waits until it is needed
+    from certkit.documents.document_kinds import DOCUMENTS, document_class  # noqa: PLC0415  # likewise
 
-    if kind == "result":
-        from certkit.documents.result import Result  # noqa: PLC0415  # likewise
-
-        described = {"$schema": DIALECT, **Result.model_json_schema(by_alias=True)}
+    if kind in DOCUMENTS:
+        described = {"$schema": DIALECT, **document_class(kind).model_json_schema(by_alias=True)}
     else:
         described = schema_of(kind_of(kind))
     typer.echo(json.dumps(described, indent=2, ensure_ascii=False))

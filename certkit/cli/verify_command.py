@@ -12,7 +12,7 @@ from certkit.cli import options  # noqa: TC001  # typer reads the annotations
 Certificate = Annotated[
     list[Path],
     typer.Argument(
-        metavar="CERTIFICATE", help="result.json, report.pdf, or the folder of a run. Repeatable."
+        metavar="CERTIFICATE", help="A document (result.json, …), report.pdf, or a run's folder. Repeatable."
     ),
 ]
 

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import json
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
-from pydantic import Field, ValidationError
+from pydantic import Field
 
-from certkit.documents.result import ComparisonRow, Part, Verdict
+from certkit.documents.output_document import OutputDocument, Part
+from certkit.documents.result import ComparisonRow, Verdict
 from certkit.documents.rounding import Figure, Figures
-from certkit.errors import DataError
-from certkit.files import write_whole
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 
 class Side(Part):
@@ -55,8 +50,12 @@ class Overlay(Part):
     difference: Figures
 
 
-class ComparisonDocument(Part):
+class ComparisonDocument(OutputDocument):
     """Two tests beside each other. Errors are (other − reference) / reference, as in the paper's Table 1."""
+
+    noun: ClassVar = "comparison"
+    file_name: ClassVar = "comparison.json"
+    made_by: ClassVar = "certkit compare"
 
     schema_: Annotated[Literal["certkit-comparison/1"], Field(alias="schema")] = "certkit-comparison/1"
     title: str
@@ -70,29 +69,3 @@ class ComparisonDocument(Part):
     grade: str = ""
     overlays: list[Overlay] = Field(default_factory=list)
     notes: list[str] = Field(default_factory=list)
-
-
-def comparison_json(document: ComparisonDocument) -> str:
-    """Return the document as JSON text, always the same bytes."""
-    return json.dumps(json.loads(document.model_dump_json()), ensure_ascii=False, indent=1) + "\n"
-
-
-def write_comparison(document: ComparisonDocument, path: Path) -> None:
-    """Write the document whole or not at all."""
-    write_whole(path, comparison_json(document))
-
-
-def comparison_from_json(text: str | bytes, name: str) -> ComparisonDocument:
-    """Read the document.
-
-    Raises
-    ------
-    DataError
-        When it is no comparison of this schema.
-    """
-    try:
-        return ComparisonDocument.model_validate_json(text)
-    except ValidationError as error:
-        first = error.errors(include_url=False)[0]
-        place = ".".join(str(step) for step in first["loc"]) or "the document"
-        raise DataError(f"{name}: not a certkit comparison: {place}: {first['msg']}") from error

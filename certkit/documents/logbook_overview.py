@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
 from certkit.definitions.provenance import Confidence
-from certkit.documents.result import Part
+from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.rounding import Figure
 
 
@@ -60,8 +59,12 @@ class Trend(Part):
     remark: str
 
 
-class LegOverview(Part):
+class LegOverview(OutputDocument):
     """Everything the logbook knows of one legform."""
+
+    noun: ClassVar = "logbook overview"
+    file_name: ClassVar = "logbook.json"
+    made_by: ClassVar = "certkit history show --json"
 
     schema_: Annotated[Literal["certkit-logbook/1"], Field(alias="schema")] = "certkit-logbook/1"
     serial: str
@@ -72,9 +75,3 @@ class LegOverview(Part):
     counts: Annotated[dict[str, int], Field(description="Tests by procedure.")]
     validity: list[Validity]
     trends: list[Trend]
-
-
-def overview_json(overview: list[LegOverview]) -> str:
-    """Return overviews as JSON text, always the same bytes."""
-    data = [json.loads(each.model_dump_json()) for each in overview]
-    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"

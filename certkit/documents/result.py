@@ -7,30 +7,16 @@ meaning.
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field
 
 from certkit.definitions.provenance import Confidence
+from certkit.documents.output_document import NOT_IN_ID, OutputDocument, Part
 from certkit.documents.rounding import Figure, Figures, Point, Points, Poses, Rows
-
-SCHEMA = "certkit-result/1"
 
 Verdict = Literal["pass", "fail", "conditional", "not evaluated", "error"]
 Kind = Literal["virtual certification", "test evaluation"]
-
-
-class Part(BaseModel):
-    """Base of all parts of the document: no unknown fields, never changed after it is made."""
-
-    model_config = ConfigDict(
-        extra="forbid",
-        defer_build=True,  # a part is built with the document that holds it, not once for itself
-        frozen=True,
-        populate_by_name=True,
-        serialize_by_alias=True,
-        allow_inf_nan=False,
-    )
 
 
 class Spread(Part):
@@ -174,7 +160,7 @@ class Quality(Part):
     steps: int
     time_step: Figure
     solver_seconds: Annotated[
-        float | None, Field(description="Processor time; left out of hashes and comparisons.")
+        float | None, NOT_IN_ID, Field(description="Processor time; left out of hashes and comparisons.")
     ] = None
     checks: list[QualityCheck] = []
 
@@ -240,7 +226,7 @@ class Provenance(Part):
 
     certkit: str
     inputs: list[InputFile]
-    packages: dict[str, str]
+    packages: Annotated[dict[str, str], NOT_IN_ID]
     overrides: list[Override] = []
 
 
@@ -265,11 +251,14 @@ class Front(Part):
     absorbed: Annotated[dict[str, Figure], Field(description="Energy that each connection kept, J.")]
 
 
-class Result(Part):
+class Result(OutputDocument):
     """The result document."""
 
+    noun: ClassVar = "result"
+    file_name: ClassVar = "result.json"
+    made_by: ClassVar = "certkit run"
+
     schema_: Annotated[Literal["certkit-result/1"], Field(alias="schema")] = "certkit-result/1"
-    id: Annotated[str, Field(description="Certificate id: from the hash of the document's content.")] = ""
     kind: Kind
     procedure: str
     title: str

@@ -59,6 +59,9 @@ def rounded_frames(frames: Sequence[Sequence[Sequence[float]]]) -> list[list[lis
 
 Figure = Annotated[float, PlainSerializer(rounded, when_used="json")]
 Figures = Annotated[list[float], PlainSerializer(rounded_all, return_type=list[float], when_used="json")]
+FiguresFixed = Annotated[
+    tuple[float, ...], PlainSerializer(rounded_all, return_type=list[float], when_used="json")
+]
 Point = tuple[Figure, Figure]
 Points = Annotated[list[Point], PlainSerializer(rounded_rows, when_used="json")]
 Rows = Annotated[list[list[float]], PlainSerializer(rounded_rows, when_used="json")]

@@ -1,6 +1,5 @@
 """From a recording to a verdict: criteria, corridors, decision rules, and the result document."""
 
-from certkit.documents.result_json import from_json, read_result, to_json, write_result
 from certkit.documents.verdicts import exit_code, worst
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
 from certkit.grading.evaluate import criterion_values, evaluate, grade_criteria
@@ -22,16 +21,12 @@ __all__ = [
     "criterion_values",
     "evaluate",
     "exit_code",
-    "from_json",
     "grade_criteria",
     "grade_quality",
     "measure_all",
     "numerical_uncertainties",
     "overall",
-    "read_result",
     "step_change_percent",
-    "to_json",
     "with_spread",
     "worst",
-    "write_result",
 ]

@@ -95,7 +95,7 @@ def side_by_side(
         grade="" if mean is None else grade(mean),
         overlays=[_overlay(name, *curves[name], begin, _step(reference, other)) for name in shared],
         notes=[*notes, *said],
-    )
+    ).with_id()
 
 
 def _interval(a: Recording, b: Recording, until: float | None) -> tuple[float, float]:

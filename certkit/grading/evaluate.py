@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from certkit.documents.certificate_id import with_id
 from certkit.documents.channel_curves import drawn_curves, raw_channels
 from certkit.documents.result import Result
 from certkit.grading.criterion import Judgement, grade_criterion
@@ -106,7 +105,7 @@ def evaluate(
         notes=result_notes(measured, criteria, notes),
         provenance=terms.provenance,
     )
-    return with_id(result)
+    return result.with_id()
 
 
 def criterion_values(measured: Measurements) -> dict[str, float | None]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from certkit.documents.certificate_id import with_id
 from certkit.documents.result import Spread
 from certkit.errors import UsageError
 
@@ -45,7 +44,7 @@ def with_spread(results: Sequence[Result]) -> Result:
         spread = _spread(values)
         criteria.append(criterion.model_copy(update={"spread": spread}) if spread is not None else criterion)
     remarks = [*nominal.remarks, _remark(results), *_outside(criteria, results)]
-    return with_id(nominal.model_copy(update={"criteria": criteria, "remarks": remarks}))
+    return nominal.model_copy(update={"criteria": criteria, "remarks": remarks}).with_id()
 
 
 def _spread(values: Sequence[float]) -> Spread | None:

@@ -131,7 +131,7 @@ def extract(
         notes=tuple(notes),
         inputs=inputs,
         certkit=__version__,
-    )
+    ).with_id()
 
 
 def _first_four(case: Case, data: FrontData) -> _Steps:
@@ -263,7 +263,10 @@ def _path_result(flow: Flow, fit: SpringFit | None, steps: _Steps) -> PathResult
         shortening=tuple(map(float, moved)),
         recorded_force=None if flow.recorded is None else tuple(map(float, flow.recorded)),
         force_error_percent=error,
-        closures=tuple(ClosureResult(c.title, c.residual, c.impulse, c.percent) for c in flow.closures),
+        closures=tuple(
+            ClosureResult(title=c.title, residual=c.residual, impulse=c.impulse, percent=c.percent)
+            for c in flow.closures
+        ),
         law=None if fit is None else _law_result(fit),
         peak_force=float(force[k]),
         peak_time=float(steps.grid.time[k]),

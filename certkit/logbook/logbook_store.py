@@ -10,11 +10,10 @@ from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
 
-from certkit.documents.certificate_id import certificate_id
+from certkit.documents.result import Result
 from certkit.errors import DataError
 from certkit.exchange.container import read_bounded
 from certkit.files import write_whole
-from certkit.grading import from_json
 from certkit.logbook.logbook_entry import LogbookEntry, Reading, entry_of
 
 if TYPE_CHECKING:
@@ -181,8 +180,8 @@ def _exists(logbook: Logbook) -> bool:
 
 def _read(path: Path) -> tuple[LogbookEntry, bytes]:
     content = read_bounded(path)
-    result = from_json(content, str(path))
-    if certificate_id(result) != result.id:
+    result = Result.from_json(content, str(path))
+    if result.content_id() != result.id:
         raise DataError(f"{path}: was changed since it was written; `certkit verify` tells more")
     return entry_of(result, str(path)), content
 

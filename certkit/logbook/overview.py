@@ -80,4 +80,4 @@ def overview(
         counts=dict(sorted(Counter(entry.procedure for entry in entries).items())),
         validity=lines,
         trends=trends([e for e in entries if e.procedure in certifying], rules.trend.at_least),
-    )
+    ).with_id()

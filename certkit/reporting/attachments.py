@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
 
-from certkit.documents.result_json import to_json
 from certkit.exchange.channels_csv import channels_csv
 
 if TYPE_CHECKING:
@@ -40,7 +39,7 @@ def result_json(result: Result) -> bytes:
     if result.quality is not None and result.quality.solver_seconds is not None:
         quality = result.quality.model_copy(update={"solver_seconds": None})
         result = result.model_copy(update={"quality": quality})
-    return to_json(result).encode()
+    return result.to_json().encode()
 
 
 def enclosures(result: Result, prefix: str = "") -> list[Enclosure]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from datetime import date
 from typing import TYPE_CHECKING
 
+from certkit.files import write_whole
 from certkit.reporting import palette
 from certkit.reporting.number_format import named, plain
 from certkit.reporting.scales import Scale, span, ticks
@@ -12,11 +14,27 @@ from certkit.reporting.static_page import sheet
 from certkit.reporting.svg import label, path, picture, tag
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
+    from pathlib import Path
 
     from certkit.documents.logbook_overview import LegOverview, Trend
 
 WIDTH, HEIGHT = 360.0, 190.0
+
+
+def render_logbook(leg: LegOverview, out: Path, formats: Collection[str]) -> list[Path]:
+    """Write `logbook-SERIAL.html` when it is wanted.
+
+    Returns
+    -------
+    list of Path
+        What was written.
+    """
+    if "html" not in formats:
+        return []
+    written = out / f"logbook-{re.sub(r'[^A-Za-z0-9.-]+', '-', leg.serial).strip('-.')}.html"
+    write_whole(written, logbook_page([leg]))
+    return [written]
 
 
 def logbook_page(legs: Sequence[LegOverview]) -> str:

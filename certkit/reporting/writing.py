@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.documents.result_json import from_json, to_json
 from certkit.errors import UsageError
 from certkit.files import write_whole
 
@@ -41,14 +40,6 @@ def checked(formats: Collection[str]) -> list[str]:
     return [name for name in ("csv", "junit", "md", "html", "pdf") if name in formats]
 
 
-def as_written(result: Result) -> Result:
-    """Return the result with the digits that its JSON keeps.
-
-    A report made in a run and one made later from `result.json` then have the same bytes.
-    """
-    return from_json(to_json(result))
-
-
 def render(result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4") -> list[Path]:
     """Write the reports of one result into a folder.
 
@@ -75,7 +66,7 @@ def render(result: Result, out: Path, formats: Collection[str], *, paper: Paper 
     RunError
         When the PDF's libraries are missing; all other formats are written by then.
     """
-    return render_written(as_written(result), out, formats, paper=paper)
+    return render_written(result.as_written(), out, formats, paper=paper)
 
 
 def render_written(result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4") -> list[Path]:
@@ -102,7 +93,7 @@ def render_suite(
 
     The index page holds all reports, so it can be handed on as a single file.
     """
-    results = [as_written(result) for result in results]
+    results = [result.as_written() for result in results]
     makers: dict[str, Callable[[], bytes | str | None]] = {
         "html": lambda: _suite_page(results, title),
         "pdf": lambda: _pdf(results, paper, title),

@@ -13,9 +13,8 @@ from hypothesis import strategies as st
 from certkit import bench
 from certkit.bench.verify import verify
 from certkit.definitions.loading.library import names
-from certkit.documents.certificate_id import with_id
+from certkit.documents.result import Result
 from certkit.errors import CertkitError, DataError
-from certkit.grading import from_json, read_result, to_json, write_result
 
 pikepdf = pytest.importorskip("pikepdf")
 
@@ -48,7 +47,7 @@ def broken(path: Path) -> dict[str, str]:
 def test_an_untouched_certificate_holds(run: Path, name: str):
     found = verify(run / name)
     assert found.holds, broken(run / name)
-    assert found.ids == (read_result(run / "result.json").id,)
+    assert found.ids == (Result.read(run / "result.json").id,)
 
 
 @pytest.mark.parametrize("name", ["channels.csv", "junit.xml", "report.html", "summary.md"])
@@ -73,16 +72,16 @@ def test_a_changed_value_names_the_document(run: Path, tmp_path: Path):
 
 
 def test_a_forged_verdict_with_a_forged_id_does_not_hold(run: Path, tmp_path: Path):
-    result = read_result(run / "result.json")
+    result = Result.read(run / "result.json")
     criteria = [c.model_copy(update={"value": 268.0}) if c.id == "T1" else c for c in result.criteria]
-    forged = with_id(result.model_copy(update={"criteria": criteria}))
+    forged = result.model_copy(update={"criteria": criteria}).with_id()
     path = tmp_path / "result.json"
-    path.write_text(to_json(forged), encoding="utf-8")
+    path.write_text(forged.to_json(), encoding="utf-8")
     assert set(broken(path)) == {"graded again: T1"}
 
 
 def test_a_widened_corridor_with_forged_hash_and_id_does_not_hold(run: Path, tmp_path: Path):
-    result = read_result(run / "result.json")
+    result = Result.read(run / "result.json")
     inputs = []
     for item in result.provenance.inputs:
         if item.role != "corridors" or item.text is None:
@@ -94,19 +93,23 @@ def test_a_widened_corridor_with_forged_hash_and_id_does_not_hold(run: Path, tmp
         inputs.append(item.model_copy(update={"text": text, "sha256": digest}))
     provenance = result.provenance.model_copy(update={"inputs": inputs})
     path = tmp_path / "result.json"
-    path.write_text(to_json(with_id(result.model_copy(update={"provenance": provenance}))), encoding="utf-8")
+    path.write_text(
+        result.model_copy(update={"provenance": provenance}).with_id().to_json(), encoding="utf-8"
+    )
     assert broken(path) == {"graded again: T1": "its corridor is another"}
 
 
 def test_a_definition_that_was_changed_inside_is_named(run: Path, tmp_path: Path):
-    result = read_result(run / "result.json")
+    result = Result.read(run / "result.json")
     inputs = [
         item.model_copy(update={"text": f"{item.text}# changed\n"}) if item.role == "procedure" else item
         for item in result.provenance.inputs
     ]
     provenance = result.provenance.model_copy(update={"inputs": inputs})
     path = tmp_path / "result.json"
-    path.write_text(to_json(with_id(result.model_copy(update={"provenance": provenance}))), encoding="utf-8")
+    path.write_text(
+        result.model_copy(update={"provenance": provenance}).with_id().to_json(), encoding="utf-8"
+    )
     assert list(broken(path)) == ["result.json: procedure procedures/pendulum.yaml"]
 
 
@@ -182,7 +185,7 @@ def test_what_is_no_certificate_is_said_so(tmp_path: Path):
 
 
 def test_a_guard_band_certificate_is_graded_by_its_own_rule(run: Path):
-    result = from_json((run / "result.json").read_bytes())
+    result = Result.from_json((run / "result.json").read_bytes())
     assert "guard band" in result.decision_rule
     assert verify(run / "result.json").holds
 
@@ -191,5 +194,5 @@ def test_every_procedure_that_is_run_here_can_be_verified(tmp_path: Path):
     for name in names("procedure"):
         result = bench.run(name, refine=False)
         path = tmp_path / name / "result.json"
-        write_result(result, path)
+        result.write(path)
         assert verify(path).holds, (name, broken(path))

@@ -12,12 +12,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.sheets import PROVENANCE, TIME, bump, corridor_set, grade, procedure, recording
 
-from certkit.documents.certificate_id import certificate_id
 from certkit.documents.channel_curves import drawn_curves, histories, raw_channels, recording_of, thinned
 from certkit.documents.result import Quality, Result
 from certkit.documents.rounding import rounded, rounded_all
 from certkit.errors import DataError, UsageError
-from certkit.grading import exit_code, from_json, read_result, to_json, with_spread, worst, write_result
+from certkit.grading import exit_code, with_spread, worst
 from certkit.signals import Filtered
 
 if TYPE_CHECKING:
@@ -43,14 +42,14 @@ def result(peak: float = 250.0, **more: object) -> Result:
 
 
 def test_a_document_is_read_back_as_it_was_written(tmp_path: Path):
-    write_result(result(), tmp_path / "deep" / "result.json")
-    again = read_result(tmp_path / "deep" / "result.json")
-    assert to_json(again) == to_json(result())
+    result().write(tmp_path / "deep" / "result.json")
+    again = Result.read(tmp_path / "deep" / "result.json")
+    assert again.to_json() == result().to_json()
     assert again.id == result().id
 
 
 def test_the_text_is_json_in_the_schemas_order_with_a_line_for_each_criterion():
-    text = to_json(result())
+    text = result().to_json()
     tree = json.loads(text)
     assert list(tree) == [info.alias or name for name, info in Result.model_fields.items()]
     assert text.endswith("}\n")
@@ -63,7 +62,7 @@ def test_the_id_does_not_know_the_clock_or_the_machine():
     base = result()
     assert result(quality=slow).id == base.id
     assert base.model_copy(update={"provenance": elsewhere, "id": ""}).model_copy() is not None
-    assert certificate_id(base.model_copy(update={"provenance": elsewhere})) == base.id
+    assert base.model_copy(update={"provenance": elsewhere}).content_id() == base.id
 
 
 def test_the_id_knows_every_number():
@@ -74,7 +73,7 @@ def test_the_id_knows_every_number():
 def test_the_schema_describes_what_is_written():
     jsonschema = pytest.importorskip("jsonschema")
     schema = Result.model_json_schema(by_alias=True)
-    jsonschema.validate(json.loads(to_json(result())), schema)
+    jsonschema.validate(json.loads(result().to_json()), schema)
 
 
 @pytest.mark.parametrize(
@@ -94,31 +93,31 @@ def test_a_damaged_document_is_refused_with_one_clear_line(text: str, said: str,
     path = tmp_path / "result.json"
     path.write_text(text)
     with pytest.raises(DataError, match=said) as caught:
-        read_result(path)
+        Result.read(path)
     assert "\n" not in str(caught.value)
     assert str(path) in str(caught.value)
 
 
 def test_a_document_with_one_field_too_many_is_refused():
-    tree = json.loads(to_json(result()))
+    tree = json.loads(result().to_json())
     with pytest.raises(DataError, match="verdikt"):
-        from_json(json.dumps({**tree, "verdikt": "pass"}))
+        Result.from_json(json.dumps({**tree, "verdikt": "pass"}))
 
 
 def test_a_verdict_that_is_none_is_refused():
     with pytest.raises(DataError, match="verdict"):
-        from_json(to_json(result()).replace('"verdict":"pass"', '"verdict":"splendid"', 1))
+        Result.from_json(result().to_json().replace('"verdict":"pass"', '"verdict":"splendid"', 1))
 
 
 @given(st.binary(max_size=300))
 def test_no_bytes_whatsoever_do_anything_but_be_refused(data: bytes):
     with pytest.raises(DataError):
-        from_json(data)
+        Result.from_json(data)
 
 
 def test_a_missing_file_says_what_to_do(tmp_path: Path):
     with pytest.raises(DataError, match="cannot be read: No such file"):
-        read_result(tmp_path / "result.json")
+        Result.read(tmp_path / "result.json")
 
 
 def test_a_document_never_holds_what_is_no_number():
@@ -242,7 +241,7 @@ def test_a_familys_verdict_is_the_nominal_legs_and_says_how_many_pass():
     assert family.verdict == "pass"
     assert any("3 certified legs (1 fail, 2 pass)" in remark for remark in family.remarks)
     assert "T1: 2 of 3 legs pass." in family.remarks
-    assert family.id == certificate_id(family) != result(250.0).id
+    assert family.id == family.content_id() != result(250.0).id
 
 
 def test_a_family_is_of_one_procedure_and_has_members():

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from certkit.bench.compare import compare
-from certkit.documents.comparison import comparison_from_json, comparison_json
+from certkit.documents.comparison import ComparisonDocument
 from certkit.errors import DataError
 from certkit.exchange.csv_write import write_csv
 from certkit.reporting.comparison_report import comparison_page, comparison_text
@@ -107,7 +107,7 @@ def test_the_comparison_ends_where_it_is_told_to(a: Path, tmp_path: Path):
 
 def test_page_and_text_show_the_numbers_of_the_document_alone(a: Path, tmp_path: Path):
     write_csv(recording(1.1), tmp_path / "b.csv")
-    document = comparison_from_json(comparison_json(compare(a, tmp_path / "b.csv")), "comparison.json")
+    document = ComparisonDocument.from_json(compare(a, tmp_path / "b.csv").to_json(), "comparison.json")
     page, text = comparison_page(document), comparison_text(document)
     assert "10.0 %" in page
     assert "10.0 %" in text

@@ -13,7 +13,6 @@ from support.forty_tests import BEGIN, document, forty
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.logbook_overview import overview_json
 from certkit.errors import DataError, UsageError
-from certkit.grading import write_result
 from certkit.logbook import Logbook, add, overview, rebuild
 from certkit.reporting.logbook_page import logbook_page
 
@@ -27,7 +26,7 @@ def kept(folder: Path, results: list[Result]) -> Logbook:
     paths = []
     for place, result in enumerate(results):
         paths.append(folder / "in" / f"{place}.json")
-        write_result(result, paths[-1])
+        result.write(paths[-1])
     logbook = Logbook(folder / "book")
     add(logbook, paths)
     return logbook
@@ -162,7 +161,7 @@ def test_the_same_test_is_kept_once(logbook: Logbook, tmp_path: Path):
 
 def test_a_changed_document_is_refused_and_nothing_is_kept(logbook: Logbook, tmp_path: Path):
     good, changed = tmp_path / "good.json", tmp_path / "changed.json"
-    write_result(document("A-1", date(2025, 6, 1), 99, "pendulum", 251.0), good)
+    document("A-1", date(2025, 6, 1), 99, "pendulum", 251.0).write(good)
     changed.write_text((tmp_path / "in" / "3.json").read_text().replace('"value":250.0', '"value":251.0'))
     with pytest.raises(DataError, match="was changed"):
         add(logbook, [good, changed])
@@ -173,9 +172,8 @@ def test_a_document_without_a_laboratory_is_refused(tmp_path: Path):
     result = document("A", BEGIN, 1, "pendulum", 250.0)
     path = tmp_path / "result.json"
     bare = result.model_copy(update={"laboratory": None, "id": ""})
-    from certkit.documents.certificate_id import with_id  # noqa: PLC0415  # only here
 
-    write_result(with_id(bare), path)
+    bare.with_id().write(path)
     with pytest.raises(DataError, match="no serial number"):
         add(Logbook(tmp_path / "book"), [path])
     assert not (tmp_path / "book").exists()

@@ -18,7 +18,6 @@ import weasyprint
 from support import synthetic_result
 
 from certkit.documents.result import Result
-from certkit.documents.result_json import from_json
 from certkit.errors import RunError, UsageError
 from certkit.reporting import pdf_engine as typesetting
 from certkit.reporting import render
@@ -100,7 +99,7 @@ def test_every_attachment_says_how_it_relates_to_the_certificate(pdf: pikepdf.Pd
 def test_the_attached_result_renders_to_the_same_reports(tmp_path: Path):
     render(synthetic_result.result(), tmp_path / "first", ["html", "pdf"])
     with pikepdf.open(tmp_path / "first" / "report.pdf") as pdf:
-        attached = from_json(attachments(pdf)["result.json"])
+        attached = Result.from_json(attachments(pdf)["result.json"])
     render(attached, tmp_path / "again", ["html", "pdf"])
     for name in ("report.html", "report.pdf"):
         assert (tmp_path / "again" / name).read_bytes() == (tmp_path / "first" / name).read_bytes()

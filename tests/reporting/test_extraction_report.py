@@ -47,7 +47,7 @@ def extraction() -> ExtractionResult:
         shortening=SHORTENING,
         recorded_force=tuple(101 * k for k in RAMP),
         force_error_percent=1.0,
-        closures=(ClosureResult("fascia", 0.1, 20.0, 0.5),),
+        closures=(ClosureResult(title="fascia", residual=0.1, impulse=20.0, percent=0.5),),
         law=law,
         peak_force=4900.0,
         peak_time=0.049,
@@ -86,7 +86,11 @@ def extraction() -> ExtractionResult:
         interval=1e-3,
         count=50,
         smoothing=0.0,
-        groups=(GroupResult("fascia", "group", ("1", "2"), 1.5, RAMP, RAMP),),
+        groups=(
+            GroupResult(
+                name="fascia", kind="group", parts=("1", "2"), mass=1.5, momentum=RAMP, displacement=RAMP
+            ),
+        ),
         paths=(path, idle),
         vehicle="bumper",
         material=material,

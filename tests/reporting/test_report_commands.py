@@ -8,7 +8,6 @@ from typer.testing import CliRunner
 
 from certkit.cli import app
 from certkit.errors import DataError
-from certkit.grading import write_result
 from certkit.reporting import render
 
 if TYPE_CHECKING:
@@ -22,7 +21,7 @@ def command(*words: object) -> None:
 @pytest.fixture
 def document(tmp_path: Path) -> Path:
     path = tmp_path / "run" / "result.json"
-    write_result(synthetic_result.static_result(), path)
+    synthetic_result.static_result().write(path)
     return path
 
 
@@ -40,7 +39,7 @@ def test_report_writes_beside_the_document(document: Path) -> None:
 
 def test_several_results_are_also_bound_into_a_suite(document: Path, tmp_path: Path) -> None:
     other = tmp_path / "other" / "result.json"
-    write_result(synthetic_result.result(), other)
+    synthetic_result.result().write(other)
     command("report", document, other, "--format", "html", "--out", tmp_path / "suite")
     found = {str(path.relative_to(tmp_path / "suite")) for path in (tmp_path / "suite").rglob("*.html")}
     assert found == {"index.html", "static-femur/report.html", "pendulum/report.html"}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from datetime import date, timedelta
 
-from certkit.documents.certificate_id import with_id
 from certkit.documents.result import CriterionResult, Provenance, Result
 
 CERTIFICATIONS = ("pendulum", "inverse", "static-femur", "static-tibia", "static-knee")
@@ -41,7 +40,7 @@ def document(
         },
         provenance=Provenance(certkit="0", inputs=[], packages={}),
     )
-    return with_id(result)
+    return result.with_id()
 
 
 def forty() -> list[Result]:

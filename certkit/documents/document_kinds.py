@@ -1,0 +1,86 @@
+"""The kinds of document that certkit writes, and reading a file that may be any of them."""
+
+from __future__ import annotations
+
+import json
+import re
+from importlib import import_module
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from certkit.documents.output_document import OutputDocument, content_of
+from certkit.errors import DataError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+DOCUMENTS = MappingProxyType(
+    {
+        "result": "certkit.documents.result:Result",
+        "comparison": "certkit.documents.comparison:ComparisonDocument",
+        "extraction": "certkit.documents.extraction:ExtractionResult",
+        "logbook-overview": "certkit.documents.logbook_overview:LegOverview",
+    }
+)
+"""Class of each kind by the word that `certkit schema` knows it by; imported when it is needed."""
+
+_FIRST = re.compile(rb'\s*\{\s*"schema"\s*:\s*"([^"\\]{1,80})"')
+
+
+def document_class(word: str) -> type[OutputDocument]:
+    """Return the class of a kind of document.
+
+    Raises
+    ------
+    KeyError
+        When there is none of that word.
+    """
+    module, _, name = DOCUMENTS[word].partition(":")
+    found: type[OutputDocument] = getattr(import_module(module), name)
+    return found
+
+
+def read_documents(path: Path) -> list[OutputDocument]:
+    """Read a file that holds a document of any kind, or a JSON list of some.
+
+    Raises
+    ------
+    DataError
+        When it is missing, damaged, or no document that certkit writes.
+    """
+    return documents_from(content_of(path, "document that certkit wrote, such as result.json"), str(path))
+
+
+def documents_from(content: bytes, name: str) -> list[OutputDocument]:
+    """Read documents of any kind from the bytes of a file.
+
+    Raises
+    ------
+    DataError
+        Likewise.
+    """
+    first = _FIRST.match(content)  # as certkit writes it, so that a large document is not parsed twice
+    if first is not None:
+        return [_class_of(first[1].decode(errors="replace"), name).from_json(content, name)]
+    try:
+        tree = json.loads(content)
+    except (ValueError, RecursionError) as error:
+        raise DataError(f"{name}: damaged: no JSON ({error}); make it again") from error
+    if not isinstance(tree, list):
+        return [_class_of(_word(tree), name).from_json(content, name)]
+    return [
+        _class_of(_word(item), f"{name}: item {number}").from_json(json.dumps(item), f"{name}: item {number}")
+        for number, item in enumerate(tree, 1)
+    ]
+
+
+def _word(tree: object) -> str:
+    return str(tree.get("schema", "")) if isinstance(tree, dict) else ""
+
+
+def _class_of(schema: str, name: str) -> type[OutputDocument]:
+    known = {kind.schema_word(): kind for kind in map(document_class, DOCUMENTS)}
+    if schema not in known:
+        said = f"its schema is `{schema[:80]}`" if schema else "it names no schema"
+        raise DataError(f"{name}: no document of this certkit: {said}; it reads {', '.join(known)}")
+    return known[schema]

@@ -1,0 +1,217 @@
+"""The base of all documents: schema, JSON text, reading with clear errors, seven digits, and the id.
+
+A document holds no objects, only words, numbers and lists, so that everything can be rendered from its JSON
+alone. A kind of document is a subclass of `OutputDocument` in a file of its own, and a line in
+`certkit.documents.document_kinds`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from functools import cache
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Self, get_args, get_origin
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from certkit.errors import DataError
+from certkit.files import write_whole
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from pathlib import Path
+
+LARGEST = 200_000_000
+"""Bytes; a test of 20 channels with 200,000 samples each takes 50 million."""
+
+NOT_IN_ID: Final = object()
+"""Marks a field (`Annotated[…, NOT_IN_ID]`) that depends on clock, machine or language: no id covers it."""
+
+ID_LENGTH = 16
+ID_GROUP = 4
+
+_LINE = re.compile(r"(.*?) at line (\d+) column (\d+)")
+
+
+class Part(BaseModel):
+    """Base of all parts of a document: no unknown fields, no NaN, never changed after it is made.
+
+    Numbers are `Figure`, `Figures` and so on of `certkit.documents.rounding`: seven digits in the JSON and in
+    the id, whatever the last bits of a machine are.
+    """
+
+    model_config = ConfigDict(
+        extra="forbid",
+        defer_build=True,  # a part is built with the document that holds it, not once for itself
+        frozen=True,
+        populate_by_name=True,
+        serialize_by_alias=True,
+        allow_inf_nan=False,
+    )
+
+
+class OutputDocument(Part):
+    """What certkit writes: one JSON file with a schema and an id."""
+
+    noun: ClassVar[str]
+    """What it is called in messages: `result`, `comparison`, …"""
+
+    file_name: ClassVar[str]
+    """The file it is written to."""
+
+    made_by: ClassVar[str]
+    """The command that writes it."""
+
+    schema_: Annotated[str, Field(alias="schema")]
+    id: Annotated[str, Field(description="Certificate id: from the hash of the document's content.")] = ""
+
+    @classmethod
+    def schema_word(cls) -> str:
+        """Return the schema's name and version, such as `certkit-result/1`."""
+        return str(cls.model_fields["schema_"].default)
+
+    def to_json(self) -> str:
+        """Return the document as JSON text, in the schema's order, ending with a line feed.
+
+        Numbers carry seven significant digits. Lists of parts have one part a line, every other field one
+        line, so that the text can be read, searched and compared line by line though it holds whole
+        channels. The same content gives the same bytes.
+        """
+        lines = []
+        for name in type(self).model_fields:
+            value = getattr(self, name)
+            if isinstance(value, list | tuple) and value and isinstance(value[0], Part):
+                rows = ",\n".join(f"    {row.model_dump_json()}" for row in value)
+                lines.append(f'  "{name}": [\n{rows}\n  ]')
+            else:
+                lines.append(f"  {self.model_dump_json(include={name})[1:-1]}")
+        return "{\n" + ",\n".join(lines) + "\n}\n"
+
+    @classmethod
+    def from_json(cls, content: str | bytes, name: str | None = None) -> Self:
+        """Read the document from its JSON.
+
+        Parameters
+        ----------
+        content : str or bytes
+        name : str, optional
+            The file, for messages; the usual name of such a document when missing.
+
+        Raises
+        ------
+        DataError
+            When it is too large, no JSON, or no document of this schema: says what and where.
+        """
+        name = name or cls.file_name
+        check_size(len(content), name)
+        try:
+            return cls.model_validate_json(content)
+        except ValidationError as error:
+            raise DataError(_refusal(error, name, cls)) from error
+
+    @classmethod
+    def read(cls, path: Path) -> Self:
+        """Read the document from a file.
+
+        Raises
+        ------
+        DataError
+            When it is missing, cannot be read, or is damaged.
+        """
+        return cls.from_json(content_of(path, f"{cls.file_name} that `{cls.made_by}` wrote"), str(path))
+
+    def write(self, path: Path) -> None:
+        """Write the document; nobody ever sees half of it."""
+        write_whole(path, self.to_json())
+
+    def as_written(self) -> Self:
+        """Return the document with the digits that its JSON keeps.
+
+        A report made in a run and one made later from the file then have the same bytes.
+        """
+        return self.from_json(self.to_json())
+
+    def content_id(self) -> str:
+        """Return the id that the content makes, such as `3F9A-1C07-8B2E-44D1`: 64 bits of a SHA-256.
+
+        It covers all fields but itself and those marked `NOT_IN_ID`: what depends on clock, machine or
+        language. Numbers count with the seven digits of the file. Fields with their default value are left
+        out too, so that a later certkit, whose document has more fields, comes to the same id.
+        """
+        counted = self.model_dump_json(exclude={"id": True, **_outside(type(self))}, exclude_defaults=True)
+        digest = hashlib.sha256(counted.encode()).hexdigest()[:ID_LENGTH].upper()
+        return "-".join(digest[i : i + ID_GROUP] for i in range(0, ID_LENGTH, ID_GROUP))
+
+    def with_id(self) -> Self:
+        """Return the document with its id filled in."""
+        return self.model_copy(update={"id": self.content_id()})
+
+
+def content_of(path: Path, wanted: str) -> bytes:
+    """Read a document's file, if it is not too large.
+
+    Parameters
+    ----------
+    path : Path
+    wanted : str
+        What should be named instead, for the message.
+
+    Raises
+    ------
+    DataError
+        When it is missing, cannot be read, or is too large.
+    """
+    try:
+        check_size(path.stat().st_size, str(path))
+        return path.read_bytes()
+    except OSError as error:
+        raise DataError(f"{path}: cannot be read: {error.strerror}; name a {wanted}") from error
+
+
+def check_size(size: int, name: str) -> None:
+    """Refuse what no document can be.
+
+    Raises
+    ------
+    DataError
+        Above `LARGEST` bytes.
+    """
+    if size > LARGEST:
+        raise DataError(f"{name}: {size} bytes are more than a document can have ({LARGEST})")
+
+
+def _refusal(error: ValidationError, name: str, wanted: type[OutputDocument]) -> str:
+    first = error.errors(include_url=False)[0]
+    if first["type"] == "json_invalid":
+        found = _LINE.fullmatch(first["msg"])
+        said, place = (found[1], f"{name}:{found[2]}:{found[3]}") if found else (first["msg"], name)
+        return f"{place}: damaged: {said}; make it again with `{wanted.made_by}`"
+    place = ".".join(str(step) for step in first["loc"]) or "the document"
+    more = f" (and {error.error_count() - 1} more)" if error.error_count() > 1 else ""
+    return f"{name}: not a certkit {wanted.noun}: {place}: {first['msg']}{more}"
+
+
+@cache
+def _outside(model: type[BaseModel]) -> dict[str, Any]:
+    """Return the marked fields of a part and of the parts in it, as pydantic takes them to be excluded."""
+    found: dict[str, Any] = {}
+    for name, info in model.model_fields.items():
+        if any(mark is NOT_IN_ID for mark in info.metadata):
+            found[name] = True
+        elif inner := _outside_of(info.annotation):
+            found[name] = inner
+    return found
+
+
+def _outside_of(annotation: Any) -> dict[str, Any]:  # noqa: ANN401  # any type annotation
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return _outside(annotation)
+    found: dict[str, Any] = {}
+    for inner in get_args(annotation):
+        found |= _outside_of(inner)
+    return {"__all__": found} if found and get_origin(annotation) in {list, tuple, dict} else found
+
+
+def listed_json(documents: Iterable[OutputDocument]) -> str:
+    """Return several documents as one JSON list, which `certkit report` and `verify` read too."""
+    return "[\n" + ",\n".join(each.to_json().rstrip("\n") for each in documents) + "\n]\n"

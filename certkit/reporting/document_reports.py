@@ -1,0 +1,95 @@
+"""The reports of each kind of document: which formats there are, and what renders them.
+
+A new kind is one entry here; the function takes the document, a folder and formats, and returns the files
+it wrote.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from certkit.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from certkit.documents.output_document import OutputDocument
+    from certkit.reporting.pdf_certificate import Paper
+
+
+@dataclass(frozen=True)
+class DocumentReport:
+    """How one kind of document is rendered.
+
+    Parameters
+    ----------
+    writer : str
+        `module:function`, imported when it is needed.
+    formats : tuple of str
+        All formats that there are.
+    usual : tuple of str
+        Those written when none is named.
+    takes_paper : bool
+        Whether the writer is told the page size.
+    """
+
+    writer: str
+    formats: tuple[str, ...] = ("html",)
+    usual: tuple[str, ...] = ("html",)
+    takes_paper: bool = False
+
+
+_PAPER = ("html", "pdf")
+
+REPORTS = {
+    "certkit-result/1": DocumentReport(
+        "certkit.reporting.writing:render", ("html", "pdf", "junit", "csv", "md"), _PAPER, takes_paper=True
+    ),
+    "certkit-comparison/1": DocumentReport("certkit.reporting.comparison_report:render_comparison"),
+    "certkit-extraction/1": DocumentReport(
+        "certkit.reporting.extraction_report:render_extraction", _PAPER, _PAPER
+    ),
+    "certkit-logbook/1": DocumentReport("certkit.reporting.logbook_page:render_logbook"),
+}
+
+
+def render_document(
+    document: OutputDocument, out: Path, formats: Sequence[str] | None = None, *, paper: Paper = "A4"
+) -> list[Path]:
+    """Write the reports of a document of any kind into a folder.
+
+    Parameters
+    ----------
+    document : OutputDocument
+        Nothing else is read.
+    out : Path
+        Folder; made when missing.
+    formats : sequence of str, optional
+        The kind's usual ones when missing.
+    paper : {'A4', 'Letter'}
+        Page size of the PDF, where there is a choice.
+
+    Returns
+    -------
+    list of Path
+        The files written.
+
+    Raises
+    ------
+    UsageError
+        When this kind has no such format.
+    """
+    report = REPORTS[document.schema_word()]
+    unknown = sorted(set(formats or ()) - set(report.formats) - {"json"})
+    if unknown:
+        raise UsageError(
+            f"there is no {document.noun} in the format `{unknown[0]}`; use {', '.join(report.formats)}"
+        )
+    module, _, name = report.writer.partition(":")
+    write = getattr(import_module(module), name)
+    options = {"paper": paper} if report.takes_paper else {}
+    found: list[Path] = write(document, out, report.usual if formats is None else formats, **options)
+    return found
