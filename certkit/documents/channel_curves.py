@@ -99,30 +99,6 @@ def raw_channels(recording: Recording) -> Histories | None:
     )
 
 
-def histories(
-    time: NDArray[np.float64], series: Mapping[str, tuple[str, str, NDArray[np.float64]]]
-) -> Histories:
-    """Thin any curves on one uniform time axis out for the document.
-
-    Parameters
-    ----------
-    time : ndarray, shape (n,)
-        Seconds.
-    series : mapping of str to (title, unit, values)
-        Values in the unit, shape (n,).
-    """
-    stride = max(1, -(-time.size // MOST_POINTS))
-    return Histories(
-        start=float(time[0]),
-        interval=stride * _mean_interval(time),
-        count=-(-time.size // stride),
-        series={
-            name: Series(title=title, unit=unit, values=rounded_all(thinned(values, stride)))
-            for name, (title, unit, values) in series.items()
-        },
-    )
-
-
 def recording_of(result: Result, source: str | None = None) -> Recording:
     """Return the recording that a result document carries, so that it can be graded again.
 
@@ -156,13 +132,32 @@ def recording_of(result: Result, source: str | None = None) -> Recording:
 
 
 def thinned(values: NDArray[np.float64], stride: int) -> NDArray[np.float64]:
-    """Take every `stride`-th sample, and put each extreme onto the sample nearest to it.
+    """Take every `stride`-th sample, and put both extremes onto the samples nearest to them.
 
-    So a drawn curve keeps its peak to the last digit, at most half a drawn interval beside its time.
+    So a drawn curve keeps its highest and its lowest value to the last digit, at most a drawn interval and
+    a half beside their times: where both fall to one sample, the later one goes to the sample after it, or
+    the earlier one to the sample before it at the curve's end. A curve that is drawn as a single sample
+    keeps the value that is larger without its sign.
+
+    Parameters
+    ----------
+    values : ndarray, shape (n,)
+    stride : int
+
+    Returns
+    -------
+    ndarray, shape (ceil(n / stride),)
     """
     drawn = values[::stride].copy()
-    for index in (int(np.argmin(values)), int(np.argmax(values))):
-        drawn[min(drawn.size - 1, round(index / stride))] = values[index]
+    first, second = sorted((int(np.argmin(values)), int(np.argmax(values))))
+    last = drawn.size - 1
+    if last == 0:
+        drawn[0] = max(values[first], values[second], key=abs)
+        return drawn
+    early, late = (min(last, round(index / stride)) for index in (first, second))
+    if early == late and first != second:
+        early, late = (early, late + 1) if late < last else (early - 1, late)
+    drawn[early], drawn[late] = values[first], values[second]
     return drawn
 
 

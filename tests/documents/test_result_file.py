@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.sheets import PROVENANCE, TIME, bump, corridor_set, grade, procedure, recording
 
-from certkit.documents.channel_curves import drawn_curves, histories, raw_channels, recording_of, thinned
+from certkit.documents.channel_curves import drawn_curves, raw_channels, recording_of, thinned
 from certkit.documents.result import Quality, Result
 from certkit.documents.rounding import rounded, rounded_all
 from certkit.errors import DataError, UsageError
@@ -165,11 +165,24 @@ def test_drawn_curves_are_few_and_keep_their_extremes():
 
 
 @given(st.lists(st.floats(-1e6, 1e6), min_size=1, max_size=300), st.integers(1, 40))
-def test_thinning_keeps_the_extremes_of_anything(values: list[float], stride: int):
+def test_thinning_keeps_both_extremes_of_anything(values: list[float], stride: int):
     drawn = thinned(np.array(values), stride)
     assert drawn.size == -(-len(values) // stride)
     if drawn.size > 1:
-        assert max(values) in drawn or min(values) in drawn
+        assert (drawn.min(), drawn.max()) == (min(values), max(values))
+    else:
+        assert abs(drawn[0]) == max(map(abs, values))
+
+
+def test_a_peak_and_a_dip_between_two_drawn_samples_are_both_drawn():
+    values = np.zeros(100)
+    values[[51, 52]] = (-3.0, 5.0)
+    for turned in (values, -values, values[::-1]):
+        drawn = thinned(turned, 10)
+        assert (drawn.min(), drawn.max()) == (turned.min(), turned.max())
+        for index, value in enumerate(drawn):
+            if value:
+                assert abs(10 * index - int(np.flatnonzero(turned == value)[0])) <= 15
 
 
 def test_drawn_curves_say_which_filter_they_have_seen():
@@ -187,13 +200,6 @@ def test_raw_channels_keep_the_recordings_sampling():
     raw = result().channels
     assert (raw.count, raw.interval, raw.start) == (2001, pytest.approx(1e-4), 0.0)
     assert raw.series["MCL"].unit == "mm"
-
-
-def test_any_curves_are_brought_on_one_thin_axis():
-    time = np.linspace(0, 1, 1801)
-    thin = histories(time, {"kinetic": ("kinetic energy", "J", time**2)})
-    assert thin.count == 451
-    assert thin.series["kinetic"].values[-1] == 1.0
 
 
 def test_the_worst_verdict_decides():
