@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from certkit.documents.comparison import ComparisonDocument
-from certkit.documents.result import Result
+from certkit.documents.document_kinds import DOCUMENTS, document_class
 from docs.make.markdown import page
 from docs.make.schema import described
 
@@ -19,18 +18,20 @@ certificate's id and of comparisons. Its JSON Schema:
 $ certkit schema result
 ```"""
 
-COMPARISON = """\
-## comparison.json { #comparison }
-
-What `certkit compare` writes."""
+OTHERS = """\
+The other documents have the same idiom: a schema, an id over their content, seven digits a number; `certkit
+schema`, `certkit report` and `certkit verify` take them too."""
 
 
 def result() -> str:
     """Return the page."""
-    return page(
-        HEAD,
-        "## result.json { #result }",
-        described(Result.model_json_schema(by_alias=True), "result", depth=3),
-        COMPARISON,
-        described(ComparisonDocument.model_json_schema(by_alias=True), "comparison", depth=3),
-    )
+    parts = [HEAD]
+    for word in DOCUMENTS:
+        kind = document_class(word)
+        parts.append(f"## {kind.file_name} {{ #{word} }}")
+        if word != "result":
+            parts.append(f"What `{kind.made_by}` writes; its schema is `certkit schema {word}`.")
+        parts.append(described(kind.model_json_schema(by_alias=True), word, depth=3))
+        if word == "result":
+            parts.append(OTHERS)
+    return page(*parts)

@@ -11,7 +11,7 @@ import pytest
 from support.forty_tests import BEGIN, document, forty
 
 from certkit.definitions.logbook_rules import LogbookRules
-from certkit.documents.logbook_overview import overview_json
+from certkit.documents.output_document import listed_json
 from certkit.errors import DataError, UsageError
 from certkit.logbook import Logbook, add, overview, rebuild
 from certkit.reporting.logbook_page import logbook_page
@@ -148,9 +148,9 @@ def test_the_page_is_the_same_after_the_database_was_deleted_and_made_again(logb
 
 
 def test_a_missing_database_makes_itself(logbook: Logbook):
-    before = overview_json([overview(logbook, "A-1")])
+    before = listed_json([overview(logbook, "A-1")])
     logbook.index.unlink()
-    assert overview_json([overview(logbook, "A-1")]) == before
+    assert listed_json([overview(logbook, "A-1")]) == before
 
 
 def test_the_same_test_is_kept_once(logbook: Logbook, tmp_path: Path):
@@ -211,4 +211,4 @@ def test_a_laboratory_has_its_own_rules(logbook: Logbook):
     )
     leg = overview(logbook, "A-1", rules=rules)
     assert [line.title for line in leg.validity] == ["monthly"]
-    assert json.loads(overview_json([leg]))[0]["validity"][0]["due"] == "2025-05-21"
+    assert json.loads(listed_json([leg]))[0]["validity"][0]["due"] == "2025-05-21"
