@@ -42,11 +42,12 @@ def calibrate(
     from certkit.cli.counting import resumable  # noqa: PLC0415  # waits until a fit is run
     from certkit.studies.calibration.fit import make_ready  # noqa: PLC0415  # likewise
     from certkit.studies.calibration.run_calibration import carry_and_write  # noqa: PLC0415  # waits until a fit is run
+    from certkit.studies.journal import forget  # noqa: PLC0415  # likewise
 
     task = make_ready(document, tuple(library or ()))
     folder = out or Path("runs") / f"fit-{task.sheet.fit}"
     if fresh:
-        (folder / "runs.jsonl").unlink(missing_ok=True)
+        forget(folder / "runs.jsonl")
     watched = not (quiet or as_json)
 
     def tell(words: str) -> None:

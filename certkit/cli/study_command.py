@@ -43,6 +43,7 @@ def study(
     from certkit.cli.counting import counting, resumable  # noqa: PLC0415  # waits until a study is run
     from certkit.definitions.loading.library import load  # noqa: PLC0415  # likewise
     from certkit.definitions.study import Study  # noqa: PLC0415  # likewise
+    from certkit.studies.journal import forget  # noqa: PLC0415  # likewise
     from certkit.studies.run_study import carry_and_write, optimise_and_write  # noqa: PLC0415  # likewise
 
     shelves = tuple(library or ())
@@ -51,7 +52,7 @@ def study(
         raise TypeError("not a study")
     folder = out or Path("runs") / sheet.study
     if fresh:
-        (folder / "runs.jsonl").unlink(missing_ok=True)
+        forget(folder / "runs.jsonl")
     formats = [word.strip() for word in table.split(",") if word.strip()]
     carry = optimise_and_write if sheet.optimise else carry_and_write
     with resumable(), counting(sheet.study, quiet=quiet or as_json) as progress:

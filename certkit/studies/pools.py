@@ -43,8 +43,8 @@ class Pool(Protocol):
         """Yield every task's index and outcome, in the order in which they finish."""
         ...
 
-    def close(self) -> None:
-        """Send the workers home."""
+    def close(self, *, at_once: bool = False) -> None:
+        """Send the workers home; `at_once` drops what they are at."""
         ...
 
 
@@ -60,7 +60,7 @@ class Here:
         for index, point in tasks:
             yield index, attempt(self._evaluate, point)
 
-    def close(self) -> None:
+    def close(self, *, at_once: bool = False) -> None:
         """Do nothing: there is nobody to send home."""
 
 
@@ -106,9 +106,13 @@ class Processes:
                 self.close()
                 yield from self._one_by_one(suspects)
 
-    def close(self) -> None:
-        """Drop what is still waiting and end the workers."""
+    def close(self, *, at_once: bool = False) -> None:
+        """Drop what is still waiting and end the workers, after the runs that they are at or before."""
         if self._pool:
+            if at_once:
+                # The executor's own `terminate_workers` comes with Python 3.14.
+                for process in list((getattr(self._pool, "_processes", None) or {}).values()):
+                    process.terminate()
             self._pool.shutdown(wait=True, cancel_futures=True)
         self._pool = None
 
@@ -181,8 +185,9 @@ class Cluster:
                 source.learn(len(chunk), seconds)
                 yield from done
 
-    def close(self) -> None:
-        """Leave the cluster; it is not ours to end."""
+    def close(self, *, at_once: bool = False) -> None:
+        """Leave the cluster; it is not ours to end, and drops by itself what nobody waits for any more."""
+        del at_once
         self._client.close()
 
 

@@ -102,17 +102,19 @@ class Runs:
         if self.progress:
             self.progress(done, total, failed)
 
-    def close(self) -> None:
-        """Send the workers home and close the journal."""
-        if self._pool:
-            self._pool.close()
-        if self._journal:
-            self._journal.close()
+    def close(self, *, at_once: bool = False) -> None:
+        """Send the workers home and close the journal; `at_once` drops what they are at."""
+        try:
+            if self._pool:
+                self._pool.close(at_once=at_once)
+        finally:
+            if self._journal:
+                self._journal.close()
 
     def __enter__(self) -> Self:
         """Use as a context."""
         return self
 
-    def __exit__(self, *_: object) -> None:
-        """Close."""
-        self.close()
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        """Close, and wait for nobody when Ctrl-C was pressed."""
+        self.close(at_once=kind is KeyboardInterrupt)

@@ -15,12 +15,13 @@ import pytest
 from support import toys
 
 from certkit.errors import UsageError
-from certkit.studies.journal import Journal
+from certkit.studies.journal import Journal, forget
 from certkit.studies.points import key_of
 from certkit.studies.pools import DIED, Chunks
 from certkit.studies.runs import Runs
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
 POINTS = [{"a": i / 7, "b": (-1.0) ** i} for i in range(100)]
@@ -83,6 +84,73 @@ def test_a_torn_line_is_cut_off_and_its_run_done_again(tmp_path: Path) -> None:
         assert runs(POINTS[:3]) == whole
         assert runs.done_here == 1
     assert path.read_bytes() == text
+
+
+def _joined(lines: list[bytes]) -> list[bytes]:
+    """Lose the end of one line and the beginning of another: what is left is valid JSON."""
+    cut = b'"outputs"'
+    return [lines[0][: lines[0].index(cut)] + lines[2][lines[2].index(cut) :], *lines[3:]]
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        _joined,
+        lambda lines: [lines[0].replace(b'"z":', b'"z":1'), *lines[1:]],
+        lambda lines: [lines[0].replace(b"{", b"{ ", 1), *lines[1:]],
+        lambda lines: [b"\x00" * 300 + b"\n", *lines[1:]],
+        lambda lines: [b"[" * 100_000 + b"\n", *lines[1:]],
+    ],
+    ids=["joined", "edited", "spaced", "zeros", "deep"],
+)
+def test_a_line_that_is_not_as_it_was_written_is_dropped_and_its_run_done_again(
+    tmp_path: Path, damage: Callable[[list[bytes]], list[bytes]]
+) -> None:
+    path = tmp_path / "runs.jsonl"
+    with Runs(toys.wave, journal=path, processes=1) as runs:
+        whole = runs(POINTS[:5])
+    lines = path.read_bytes().splitlines(keepends=True)
+    damaged = damage(lines)
+    assert all(json.loads(line) for line in _joined(lines))
+    path.write_bytes(b"".join(damaged))
+    with Runs(toys.wave, journal=path, processes=1) as runs:
+        assert runs(POINTS[:5]) == whole
+        assert runs.done_here == sum(line not in damaged for line in lines)
+    assert sorted(path.read_bytes().splitlines(keepends=True)) == sorted(lines)
+
+
+def test_a_study_that_is_begun_afresh_respects_the_one_that_is_at_work(tmp_path: Path) -> None:
+    path = tmp_path / "j"
+    with Runs(toys.wave, journal=path, processes=1) as runs:
+        runs(POINTS[:2])
+        before = path.read_bytes()
+        with pytest.raises(UsageError, match="another certkit"):
+            forget(path)
+        assert path.read_bytes() == before
+    forget(path)
+    assert path.read_bytes() == b""
+
+
+def test_ctrl_c_does_not_wait_for_the_runs_that_are_at_work(tmp_path: Path) -> None:
+    """The runs take an hour; the process ends, and leaves no worker behind."""
+    program = tmp_path / "program.py"
+    program.write_text(
+        "import sys; sys.path.insert(0, sys.argv[1]); from support import toys\n"
+        "from certkit.studies.runs import Runs\n"
+        "if __name__ == '__main__':\n"
+        "    with Runs(toys.Endless(sys.argv[2]), processes=2) as runs:\n"
+        "        runs([{'a': float(i)} for i in range(4)])\n"
+    )
+    command = [sys.executable, str(program), os.path.dirname(os.path.dirname(toys.__file__)), str(tmp_path)]  # noqa: PTH120  # argv
+    process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
+    while len(pids := [int(file.name.partition("-")[2]) for file in tmp_path.glob("pid-*")]) < 2:
+        assert process.poll() is None
+        time.sleep(0.01)
+    process.send_signal(signal.SIGINT)
+    process.wait(timeout=60)
+    for pid in pids:
+        with pytest.raises(ProcessLookupError):
+            os.kill(pid, 0)
 
 
 def test_two_processes_cannot_write_one_journal(tmp_path: Path) -> None:

@@ -57,6 +57,19 @@ class Counted:
         return {"a": float(point["a"])}
 
 
+@dataclass(frozen=True)
+class Endless:
+    """Leaves its process's number and then takes an hour."""
+
+    folder: str
+
+    def __call__(self, point: Point) -> Outputs:
+        """Leave the number."""
+        (Path(self.folder) / f"pid-{os.getpid()}").touch()
+        time.sleep(3600)
+        return {"a": float(point["a"])}
+
+
 def linear(point: Point) -> Outputs:
     """y = 3 a − 2 b + 1, and z that depends on nothing."""
     a, b = float(point["a"]), float(point["b"])
