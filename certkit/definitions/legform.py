@@ -62,6 +62,15 @@ class Condyles(Section):
     friction: Ratio
 
 
+class KneeGuide(Section):
+    """A guide against sliding between the knee blocks: free for some way, then a spring."""
+
+    offset: Annotated[Length, Field(description="Distance from the leg's axis, towards the impact side.")]
+    free_travel: Annotated[Length, Field(description="Either way.")]
+    stiffness: Stiffness
+    damping: Damping
+
+
 class Knee(Section):
     """Two rigid blocks in contact, held together by four ligaments."""
 
@@ -73,6 +82,7 @@ class Knee(Section):
     depth: Length
     condyles: Condyles
     parallel_stiffness: RotationalStiffness
+    guide: KneeGuide | None = None
     ligaments: Annotated[dict[str, Ligament], Field(description="MCL, LCL, ACL and PCL.")]
 
 
@@ -86,6 +96,17 @@ class Flesh(Section):
     tension: Annotated[Force, Field(description="Tensile stiffness EA between neighbours; 0 leaves it out.")]
     compression: Annotated[FoundationStiffness, Field(description="Initial, per unit length.")]
     thickness: Annotated[Length, Field(description="Depth over which the compression stiffens.")]
+    face: Annotated[
+        Length | None,
+        Field(description="Distance of its bone side from the leg's axis; half the parts' depth if missing."),
+    ] = None
+    bending_stiffness: Annotated[
+        BendingStiffness | None,
+        Field(description="Of the sleeve, which bends beside the bones; no gauge feels it."),
+    ] = None
+    damping_time: Annotated[
+        Time | None, Field(description="Damping of the sleeve's bending divided by its stiffness.")
+    ] = None
 
 
 class Gauges(Section):

@@ -57,6 +57,9 @@ class Hanger(Section):
     """What the leg hangs from in the inverse test."""
 
     at: End
+    offset: Annotated[
+        Length | None, Field(description="From the end out to the pin; at the end itself when missing.")
+    ] = None
     hold: Annotated[Literal["pinned", "free"], Field(description="What it does during the impact.")] = (
         "pinned"
     )

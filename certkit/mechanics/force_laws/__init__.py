@@ -9,6 +9,7 @@ from certkit.mechanics.force_laws import (
     ligament_cable,
     loading_ram_force,
     ram_nose_contact,
+    sliding_guide,
     support_roller,
     vehicle_front_contact,
     vehicle_spring,
@@ -28,9 +29,10 @@ LAWS: tuple[Law, ...] = (
     vehicle_front_contact.LAW,
     vehicle_spring.POINTS,
     vehicle_spring.LAW,
+    sliding_guide.LAW,
 )
-BENDING, CABLES, CONDYLES, FLESH, CUSHION, CRUSH, SUPPORTS, LOADING, NOSE, FRONT, POINTS, SPRINGS = range(
-    len(LAWS)
+BENDING, CABLES, CONDYLES, FLESH, CUSHION, CRUSH, SUPPORTS, LOADING, NOSE, FRONT, POINTS, SPRINGS, GUIDE = (
+    range(len(LAWS))
 )
 
 # Two more books beside those of the laws.

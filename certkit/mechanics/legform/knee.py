@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from certkit.mechanics.force_laws import BENDING, CABLES, CONDYLES
+from certkit.mechanics.force_laws import BENDING, CABLES, CONDYLES, GUIDE
 
 if TYPE_CHECKING:
     from certkit.definitions.legform import Knee, Legform
@@ -60,6 +60,19 @@ def join_knee(
         )
         held = min(max(shear[side], -condyles.friction * force), condyles.friction * force)
         assembly.remember(CONDYLES, row, {"slip spring": held / (TANGENTIAL * condyles.stiffness)})
+    if knee.guide is not None:
+        assembly.add_row(
+            GUIDE,
+            blocks,
+            {
+                "upper x": knee.guide.offset,
+                "upper z": -upper,
+                "lower x": knee.guide.offset,
+                "free travel": knee.guide.free_travel,
+                "stiffness": knee.guide.stiffness,
+                "damping": knee.guide.damping,
+            },
+        )
     row = assembly.add_row(
         BENDING,
         blocks,

@@ -12,7 +12,7 @@ from certkit.mechanics.legform.knee import join_knee
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.definitions.legform import Bone, Legform
+    from certkit.definitions.legform import Bone, Flesh, Legform
     from certkit.mechanics.legform.segments import Segment
     from certkit.mechanics.solver.world import Assembly
 
@@ -99,6 +99,8 @@ def add_leg(
         bone = legform.femur if part == "femur" else legform.tibia
         factor = 1.0 if upper.part == lower.part else float(bone.block_joint)
         joints.append(Joint(_add_joint(assembly, bone, a, b, factor), upper.bottom, part))
+        if flesh and legform.flesh.bending_stiffness is not None:
+            _add_sleeve(assembly, legform.flesh, a, b, factor * bone.segments / bone.length)
     return Leg(
         segments=tuple(segments),
         bodies=tuple(bodies),
@@ -119,6 +121,21 @@ def _add_joint(assembly: Assembly, bone: Bone, upper: int, lower: int, factor: f
             "damping": stiffness * bone.damping_time,
             "cable angle": bone.cable_angle,
             "cable stiffness": bone.cable_stiffness,
+        },
+    )
+
+
+def _add_sleeve(assembly: Assembly, flesh: Flesh, upper: int, lower: int, curvature: float) -> None:
+    """Let the sleeve bend beside a bone's joint, `curvature` (1/m) for an angle of one; no gauge feels it."""
+    stiffness = curvature * (flesh.bending_stiffness or 0.0)
+    assembly.add_row(
+        BENDING,
+        (upper, lower),
+        {
+            "stiffness": stiffness,
+            "damping": stiffness * (flesh.damping_time or 0.0),
+            "cable angle": math.pi,
+            "cable stiffness": 0.0,
         },
     )
 

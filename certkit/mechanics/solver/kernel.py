@@ -18,6 +18,7 @@ from certkit.mechanics.force_laws import (
     CUSHION,
     FLESH,
     FRONT,
+    GUIDE,
     LOADING,
     NOSE,
     POINTS,
@@ -43,6 +44,7 @@ from certkit.mechanics.force_laws.law import (
 from certkit.mechanics.force_laws.ligament_cable import pull
 from certkit.mechanics.force_laws.loading_ram_force import push
 from certkit.mechanics.force_laws.ram_nose_contact import lean
+from certkit.mechanics.force_laws.sliding_guide import guide
 from certkit.mechanics.force_laws.support_roller import carry
 from certkit.mechanics.force_laws.vehicle_front_contact import slide
 from certkit.mechanics.force_laws.vehicle_spring import stretch
@@ -78,6 +80,7 @@ def act(tables: tuple[Table, ...], scene: Scene, load: Floats, ledger: Floats) -
     lean(*tables[NOSE], scene, load, ledger[NOSE])
     slide(*tables[FRONT], scene, load, ledger[FRONT])
     stretch(*tables[SPRINGS], tables[POINTS][1], scene, load, ledger[SPRINGS])
+    guide(*tables[GUIDE], scene, load, ledger[GUIDE])
 
 
 @compiled
@@ -96,6 +99,7 @@ def tables_of(layout: IndexTable, index: Integers, number: Floats, state: Floats
         table(layout[FRONT], index, number, state),
         table(layout[POINTS], index, number, state),
         table(layout[SPRINGS], index, number, state),
+        table(layout[GUIDE], index, number, state),
     )
 
 
