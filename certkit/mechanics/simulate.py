@@ -18,6 +18,7 @@ from certkit.mechanics.fixtures.three_point_bending import DRAG, HOLD, RAMP, fit
 from certkit.mechanics.fixtures.vehicle_front import fit_front
 from certkit.mechanics.legform.leg import add_leg
 from certkit.mechanics.legform.segments import leg_segments
+from certkit.mechanics.legform.stable_step import stable_step
 from certkit.mechanics.outputs.energy_balance import RunQuality, judge
 from certkit.mechanics.outputs.front_response import FrontHistories, front_histories, front_probes
 from certkit.mechanics.outputs.motion import RecordedMotion, film
@@ -116,7 +117,8 @@ def simulate(
     vehicle : Vehicle, optional
         What is hit in free flight.
     time_step : float, optional
-        Seconds; the procedure's own, else 2e-5, when not given. Halve it to see what it costs.
+        Seconds; the procedure's own, else 2e-5 or the part of it that damping allows, when not given.
+        Halve it to see what it costs.
     iterations : int, optional
         Of the constraint solver, 8 when not given.
     sample : int, optional
@@ -128,7 +130,6 @@ def simulate(
     RunError
         When the rig cannot be built, a body runs away or nothing is touched.
     """
-    step = time_step or float(procedure.run.time_step or STEP)
     iterations = iterations or ITERATIONS
     try:
         site = build(procedure, legform, vehicle)
@@ -137,6 +138,7 @@ def simulate(
             "the rig cannot be built: a length, stiffness or other value is zero where it cannot be; "
             "look at the values changed last"
         ) from error
+    step = time_step or _time_step(procedure, site)
     world = site.assembly.finish()
     wanted = {**probes(world, site.leg, site), **front_probes(world, site)}
     plan = _plan(procedure, site, step, iterations, sample)
@@ -154,6 +156,12 @@ def simulate(
     )
     front = front_histories(site, run, readings)
     return Simulation(_from_contact(recording, run), motion, quality, run.seconds, front)
+
+
+def _time_step(procedure: Procedure, site: Site) -> float:
+    if procedure.run.time_step is not None:
+        return float(procedure.run.time_step)
+    return stable_step(STEP, site.legform, site.leg.segments, flesh=site.cover > 0)
 
 
 def _plan(procedure: Procedure, site: Site, step: float, iterations: int, sample: int | None) -> Plan:

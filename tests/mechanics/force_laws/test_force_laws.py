@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from certkit.mechanics.force_laws import BENDING, CABLES, CONDYLES, CRUSH, CUSHION
+from certkit.mechanics.force_laws import BENDING, CABLES, CONDYLES, CRUSH, CUSHION, GUIDE
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
 from certkit.mechanics.solver.world import GROUND, Assembly
 
@@ -130,3 +130,40 @@ def test_steel_cables_stiffen_a_joint_beyond_their_angle():
     assert np.abs(angle).max() > 0.021
     expected = 1000 * angle + 9000 * np.sign(angle) * np.clip(np.abs(angle) - 0.02, 0, None)
     assert moment == pytest.approx(expected, abs=1e-9)
+
+
+def two_guided_blocks(speed: float, damping: float) -> Trajectory:
+    """Let a turned block slide across another against the guide between them; slide and force are read."""
+    assembly = Assembly()
+    upper = assembly.add_body("upper", 2.0, 0.004, (0.0, 0.045, 0.0), speed=(speed, 0.0, 3.0))
+    lower = assembly.add_body("lower", 2.5, 0.005, (0.0, -0.045, 0.0))
+    numbers = {"upper x": 0.03, "upper z": -0.045, "lower x": 0.03}
+    assembly.add_row(
+        GUIDE, (upper, lower), {**numbers, "free travel": 0.004, "stiffness": 3e5, "damping": damping}
+    )
+    world = assembly.finish()
+    probes = [world.place(GUIDE, 0, reading) for reading in ("slide", "force")]
+    return run_world(world, Plan(STEP, 0.03, 0.03), probes, [upper, lower])
+
+
+def test_a_guide_leaves_the_blocks_free_within_its_travel_and_holds_them_beyond():
+    run = two_guided_blocks(speed=2.0, damping=0.0)
+    slide, force = run.readings.T
+    assert np.abs(slide).max() > 0.005
+    assert np.all(force[np.abs(slide) <= 0.004] == 0)
+    assert force == pytest.approx(np.sign(slide) * 3e5 * np.clip(np.abs(slide) - 0.004, 0, None), abs=1e-6)
+
+
+@pytest.mark.parametrize("damping", [0.0, 80.0])
+def test_a_guide_keeps_momentum_and_its_energy_is_accounted_for(damping: float):
+    run = two_guided_blocks(speed=2.0, damping=damping)
+    speed = np.diff(run.tracks, axis=0) / STEP
+    mass, inertia = np.array([2.0, 2.5]), np.array([0.004, 0.005])
+    middle = (run.tracks[1:] + run.tracks[:-1]) / 2
+    momentum = (mass[:, None] * speed[:, :, :2]).sum(axis=1)
+    turning = middle[:, :, 0] * speed[:, :, 1] - middle[:, :, 1] * speed[:, :, 0]
+    angular = (inertia * speed[:, :, 2] + mass * turning).sum(axis=1)
+    assert np.ptp(momentum, axis=0) == pytest.approx([0, 0], abs=1e-9)
+    assert np.ptp(angular) < 2e-5 * np.abs(angular).max()
+    assert np.abs(balance(run) - balance(run)[0]).max() < 1e-3 * balance(run)[0]
+    assert run.spent[-1].sum() == pytest.approx(0, abs=1e-9) if damping == 0 else run.spent[-1].sum() > 0.01
