@@ -16,7 +16,7 @@ from support.chain_oracle import Chain, bone_chain
 from tight import tight_chain
 
 from certkit.errors import RunError
-from certkit.mechanics.force_laws import BENDING
+from certkit.mechanics.force_laws.joint_spring import JointSpring
 from certkit.mechanics.solver.time_loop import Plan, run_world
 
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ def in_certkit(chain: Chain, start: tuple[NDArray[np.float64], NDArray[np.float6
     """Return the elastic joint moments every 0.1 ms, shape (t, joints), and the seconds."""
     world = chain.world(*start)
     plan = Plan(step, UNTIL, UNTIL, sample=round(EVERY / step), frame=10_000)
-    probes = [world.place(BENDING, i, "angle") for i in range(chain.links - 1)]
+    probes = [world.place(JointSpring, i, "angle") for i in range(chain.links - 1)]
     run = run_world(world, plan, probes)
     return run.readings * chain.stiffness, run.seconds
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from certkit.mechanics import Simulation
-    from certkit.mechanics.force_laws.law import Floats
+    from certkit.mechanics.records import Floats
 
 MOST = 300
 """Points that a picture of a history needs."""

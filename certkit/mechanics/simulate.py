@@ -85,7 +85,7 @@ def build(procedure: Procedure, legform: Legform, vehicle: Vehicle | None = None
         segments = with_added_mass(segments, rig.added_mass)
     flesh = specimen.flesh == "fitted"
     assembly = Assembly()
-    leg = add_leg(assembly, legform, segments, flesh=flesh, drag=DRAG if static else 0.0)
+    leg = add_leg(assembly, legform, segments, flesh=flesh, damping=DRAG if static else 0.0)
     site = Site(assembly, legform, rig, leg, cover=float(legform.flesh.thickness) if flesh else 0.0)
     for name, fit in FITTINGS:
         fixture = getattr(rig, name)
@@ -168,7 +168,7 @@ def _plan(procedure: Procedure, site: Site, step: float, iterations: int, sample
     ram = site.rig.loading_ram
     if ram is not None:
         level = round((RAMP + HOLD) / step)
-        return Plan(step, ram.levels * level * step, 0.0, level, level, -1, iterations)
+        return Plan(step, ram.levels * level * step, 0.0, level, level, None, iterations)
     until = float(procedure.run.until or UNTIL)
     sample = sample or max(1, round(2 * STEP / step))
     frame = max(1, round(FRAME / (step * sample))) * sample

@@ -14,7 +14,7 @@ from certkit.errors import DefinitionError, RunError
 from certkit.identification.spring_law import Branch, SpringLaw
 from certkit.mechanics import Simulation, simulate
 from certkit.mechanics.fixtures.vehicle_front import face_strips, loading_curve
-from certkit.mechanics.force_laws import POINTS, SPRINGS
+from certkit.mechanics.force_laws.vehicle_spring import VehicleSpring
 from certkit.mechanics.solver.time_loop import Plan, run_world
 from certkit.mechanics.solver.world import GROUND, Assembly
 
@@ -54,15 +54,25 @@ def bounce(law: SpringLaw, speed: float, mass: float = 2.0) -> tuple[np.ndarray,
         if law.tension
         else []
     )
-    table = {"push from": 0.0, "push points": float(len(push))}
-    table |= {"pull from": float(len(push)), "pull points": float(len(pull))}
-    for x, f in (*push, *pull):
-        assembly.add_row(POINTS, (), {"shortening": x, "force": f})
-    branch = {"unloading": law.branch.stiffness, "residual": law.branch.residual}
-    branch |= {"permanent set": law.branch.permanent_set, "damping": law.damping}
-    assembly.add_row(SPRINGS, (body, GROUND), {"rest": 0.0, **table, **branch})
+    push_start, push_points = assembly.add_curve(push)
+    pull_start, pull_points = assembly.add_curve(pull)
+    assembly.add(
+        VehicleSpring(
+            first=body,
+            second=GROUND,
+            rest=0.0,
+            push_start=push_start,
+            push_points=push_points,
+            pull_start=pull_start,
+            pull_points=pull_points,
+            unloading=law.branch.stiffness,
+            residual=law.branch.residual,
+            permanent_set=law.branch.permanent_set,
+            damping=law.damping,
+        )
+    )
     world = assembly.finish()
-    wanted = [world.place(SPRINGS, 0, reading) for reading in ("shortening", "force")]
+    wanted = [world.place(VehicleSpring, 0, reading) for reading in ("shortening", "force")]
     run = run_world(world, Plan(step=1e-5, until=0.03, longest=0.03), wanted, [body])
     x, force = run.readings.T
     return x, np.gradient(x, 1e-5), force

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from support.chain_oracle import Chain, bone_chain
 
-from certkit.mechanics.force_laws import BENDING
+from certkit.mechanics.force_laws.joint_spring import JointSpring
 from certkit.mechanics.solver.time_loop import Plan, run_world
 
 UNTIL = 0.03
@@ -28,7 +28,7 @@ def moments(chain: Chain, step: float) -> tuple[np.ndarray, np.ndarray]:
     joints = range(chain.links - 1)
     every = round(1e-4 / step)
     run = run_world(
-        world, Plan(step, UNTIL, UNTIL, sample=every), [world.place(BENDING, i, "angle") for i in joints]
+        world, Plan(step, UNTIL, UNTIL, sample=every), [world.place(JointSpring, i, "angle") for i in joints]
     )
     return run.time, run.readings * chain.stiffness
 

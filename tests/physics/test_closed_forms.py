@@ -9,13 +9,16 @@ import pytest
 from scipy.linalg import eigh
 from support.chain_oracle import Chain, bone_chain
 
-from certkit.mechanics.force_laws import BENDING, CRUSH, SUPPORTS
+from certkit.mechanics.force_laws.honeycomb import Honeycomb
+from certkit.mechanics.force_laws.joint_spring import JointSpring
+from certkit.mechanics.force_laws.law import OutlinePiece
+from certkit.mechanics.force_laws.support_roller import SupportRoller
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
 from certkit.mechanics.solver.world import GROUND, Assembly
 
 
 def energy(run: Trajectory) -> np.ndarray:
-    return run.kinetic + run.stored.sum(axis=1) + run.spent.sum(axis=1)
+    return run.kinetic + run.stored.sum(axis=1) + run.dissipated.sum(axis=1)
 
 
 def test_a_thrown_body_follows_its_parabola_exactly():
@@ -58,11 +61,11 @@ def test_a_mass_bounces_off_a_one_sided_spring_as_theory_says():
     mass, stiffness, speed, step = 4.0, 2e6, 3.0, 1e-5
     assembly = Assembly()
     body = assembly.add_body("mass", mass, 0.01, (0.001, 0.0, 0.0), speed=(-speed, 0.0, 0.0))
-    assembly.add_outline(body, 0.2, -0.2, 0.0, 0.0)
+    assembly.add_outline(OutlinePiece(body, 0.2, -0.2, 0.0, 0.0))
     for z in (0.1, -0.1):
-        assembly.add_row(SUPPORTS, (GROUND,), {"station": z, "stiffness": stiffness / 2, "damping": 0.0})
+        assembly.add(SupportRoller(station=z, stiffness=stiffness / 2))
     world = assembly.finish()
-    forces = [world.place(SUPPORTS, i, "force") for i in range(2)]
+    forces = [world.place(SupportRoller, i, "force") for i in range(2)]
     run = run_world(world, Plan(step, 0.01, 0.01), forces, [body])
     omega = math.sqrt(stiffness / mass)
     assert run.readings.sum(axis=1).max() == pytest.approx(stiffness * speed / omega, rel=1e-5)
@@ -75,20 +78,19 @@ def test_a_ram_that_crushes_honeycomb_against_a_free_bar_keeps_momentum_and_ener
     ram_mass, bar_mass, speed = 8.0, 4.0, 11.0
     assembly = Assembly()
     bar = assembly.add_body("bar", bar_mass, bar_mass * 0.4**2 / 12, (0.0, 0.0, 0.0))
-    assembly.add_outline(bar, 0.2, -0.2, 0.0, 0.05)
+    assembly.add_outline(OutlinePiece(bar, 0.2, -0.2, 0.0, 0.05))
     ram = assembly.add_body("ram", ram_mass, 0.0, (0.0, 0.0, 0.0), speed=(-speed, 0.0, 0.0), guided=True)
     for i in range(20):
-        assembly.add_row(
-            CRUSH,
-            (ram,),
-            {
-                "face x": 0.0,
-                "face z": 0.038 - 0.004 * i,
-                "height": 0.004,
-                "strength": 5e5,
-                "elastic depth": 1e-3,
-                "thickness": 0.0,
-            },
+        assembly.add(
+            Honeycomb(
+                carrier=ram,
+                face_x=0.0,
+                face_z=0.038 - 0.004 * i,
+                height=0.004,
+                strength=5e5,
+                elastic_depth=1e-3,
+                thickness=0.0,
+            )
         )
     run = run_world(assembly.finish(), Plan(1e-5, 0.03, 0.03), tracked=[bar, ram])
     speeds = np.diff(run.tracks[:, :, 0], axis=0) / 1e-5
@@ -100,7 +102,7 @@ def test_a_ram_that_crushes_honeycomb_against_a_free_bar_keeps_momentum_and_ener
     common = -ram_mass * speed / (ram_mass + bar_mass)
     lost = 0.5 * ram_mass * bar_mass / (ram_mass + bar_mass) * speed**2
     sprung = 0.5 * 5e5 * 0.05 * 0.08 * 1e-3
-    assert run.spent[-1].sum() == pytest.approx(lost - sprung, rel=2e-3)
+    assert run.dissipated[-1].sum() == pytest.approx(lost - sprung, rel=2e-3)
     assert speeds[-1] @ [bar_mass, ram_mass] / (bar_mass + ram_mass) == pytest.approx(common, rel=1e-9)
 
 
@@ -129,7 +131,7 @@ def measured_frequency(chain: Chain, shape: np.ndarray, guess: float, *, clamped
         heavy[0][0], heavy[1][0] = 1e9, 1e9
         world = type(world)(**{**vars(world), "mass": heavy[0], "inertia": heavy[1]})
     joint = n // 2 - 1
-    run = run_world(world, Plan(2e-5, 6 / guess, 1), [world.place(BENDING, joint, "angle")])
+    run = run_world(world, Plan(2e-5, 6 / guess, 1), [world.place(JointSpring, joint, "angle")])
     angle = run.readings[:, 0]
     falling = np.flatnonzero((angle[:-1] > 0) & (angle[1:] <= 0))
     times = run.time[falling] + 2e-5 * angle[falling] / (angle[falling] - angle[falling + 1])

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 from certkit.definitions.loading.library import load
-from certkit.mechanics.force_laws import BENDING, CABLES, CONDYLES
+from certkit.mechanics.force_laws.condyle_contact import CondyleContact
+from certkit.mechanics.force_laws.joint_spring import JointSpring
+from certkit.mechanics.force_laws.ligament_cable import LigamentCable
 from certkit.mechanics.legform.leg import add_leg
 from certkit.mechanics.legform.segments import leg_segments
 from certkit.mechanics.solver.time_loop import Plan, run_world
@@ -34,8 +36,8 @@ def flying_leg(legform: Legform) -> tuple[World, list[int]]:
     speed = world.speed.copy()
     speed[:, 0] = 4.0 * np.cos(world.pose[:, 1] / 0.15)
     world = replace(world, speed=speed)
-    probes = [world.place(BENDING, joint.row, "moment") for joint in leg.joints]
-    probes += [world.place(CABLES, row, "elongation") for row in leg.ligaments.values()]
+    probes = [world.place(JointSpring, joint.row, "moment") for joint in leg.joints]
+    probes += [world.place(LigamentCable, row, "elongation") for row in leg.ligaments.values()]
     return world, probes
 
 
@@ -56,20 +58,17 @@ def turned(world: World, angle: float, x: float, z: float) -> World:
 
 def mirrored(world: World) -> World:
     """Return the world in a mirror on the leg's axis: x, angles and rates of turning change sign."""
-    pose, speed, anchor = world.pose.copy(), world.speed.copy(), world.anchor.copy()
+    pose, speed, pivots = world.pose.copy(), world.speed.copy(), world.pivots.copy()
     pose[:, [0, 2]] *= -1
     speed[:, [0, 2]] *= -1
-    anchor[:, [0, 2]] *= -1
-    number = world.number.copy()
-    rows, _, _, start, columns, *_ = world.layout[CABLES]
-    cables = number[start : start + rows * columns].reshape(rows, columns)
-    cables[:, [0, 2]] *= -1
-    rows, _, _, start, columns, first, states = world.layout[CONDYLES]
-    condyles = number[start : start + rows * columns].reshape(rows, columns)
-    condyles[:, [0, 2]] *= -1
-    state = world.state.copy()
-    state[first : first + rows * states : states] *= -1
-    return replace(world, pose=pose, speed=speed, anchor=anchor, number=number, state=state)
+    for name in ("first_x", "second_x"):
+        pivots[name] *= -1
+    mirror = replace(world, pose=pose, speed=speed, pivots=pivots, tables=world.tables.copy())
+    for name in ("upper_x", "lower_x"):
+        mirror.table(LigamentCable)[name] *= -1
+    for name in ("condyle_x", "trough_x", "slip_spring"):
+        mirror.table(CondyleContact)[name] *= -1
+    return mirror
 
 
 @pytest.mark.parametrize(("angle", "x", "z"), [(0.0, 12.5, -3.25), (1.1, 0.0, 0.0), (-2.4, 3.0, 40.0)])

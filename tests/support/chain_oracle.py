@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from certkit.mechanics.force_laws import BENDING
+from certkit.mechanics.force_laws.joint_spring import JointSpring
 from certkit.mechanics.solver.world import Assembly, World
 
 
@@ -85,15 +85,15 @@ class Chain:
             rest = self.length[i] - self.arm[i]
             x, z = centres[i] + rest * np.array([np.sin(q[2 + i]), -np.cos(q[2 + i])])
             assembly.add_pivot(i, i + 1, x, z)
-            assembly.add_row(
-                BENDING,
-                (i, i + 1),
-                {
-                    "stiffness": self.stiffness[i],
-                    "damping": self.damping[i],
-                    "cable angle": 10.0,
-                    "cable stiffness": 0.0,
-                },
+            assembly.add(
+                JointSpring(
+                    upper=i,
+                    lower=i + 1,
+                    stiffness=self.stiffness[i],
+                    damping=self.damping[i],
+                    cable_angle=10.0,
+                    cable_stiffness=0.0,
+                )
             )
         return assembly.finish()
 

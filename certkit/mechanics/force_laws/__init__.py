@@ -1,40 +1,36 @@
-"""The force laws, in the order in which the kernel walks them."""
+"""The force laws, one file each, in the order in which the time loop evaluates them.
 
-from certkit.mechanics.force_laws import (
-    condyle_contact,
-    flesh_compression,
-    flesh_suspension,
-    honeycomb,
-    joint_spring,
-    ligament_cable,
-    loading_ram_force,
-    ram_nose_contact,
-    sliding_guide,
-    support_roller,
-    vehicle_front_contact,
-    vehicle_spring,
-)
-from certkit.mechanics.force_laws.law import Law
+A new law is a new file beside the others and one line here.
+"""
 
-LAWS: tuple[Law, ...] = (
-    joint_spring.LAW,
-    ligament_cable.LAW,
-    condyle_contact.LAW,
-    flesh_suspension.LAW,
-    flesh_compression.LAW,
-    honeycomb.LAW,
-    support_roller.LAW,
-    loading_ram_force.LAW,
-    ram_nose_contact.LAW,
-    vehicle_front_contact.LAW,
-    vehicle_spring.POINTS,
-    vehicle_spring.LAW,
-    sliding_guide.LAW,
-)
-BENDING, CABLES, CONDYLES, FLESH, CUSHION, CRUSH, SUPPORTS, LOADING, NOSE, FRONT, POINTS, SPRINGS, GUIDE = (
-    range(len(LAWS))
+from importlib import import_module
+
+from certkit.mechanics.force_laws.law import ForceLaw
+
+_FILES = (
+    "joint_spring",
+    "ligament_cable",
+    "condyle_contact",
+    "flesh_suspension",
+    "flesh_compression",
+    "honeycomb",
+    "support_roller",
+    "loading_ram_force",
+    "ram_nose_contact",
+    "vehicle_front_contact",
+    "vehicle_spring",
+    "sliding_guide",
 )
 
-# Two more books beside those of the laws.
-GRAVITY, DRAG = len(LAWS), len(LAWS) + 1
-BOOKS: tuple[str, ...] = (*(law.name for law in LAWS), "gravity", "mass damping")
+
+def _law(file: str) -> type[ForceLaw]:
+    """Return the law of a file, the class of the file's name."""
+    law: type[ForceLaw] = getattr(import_module(f"{__name__}.{file}"), file.title().replace("_", ""))
+    return law
+
+
+LAWS: tuple[type[ForceLaw], ...] = tuple(_law(file) for file in _FILES)
+
+GRAVITY, MASS_DAMPING = len(LAWS), len(LAWS) + 1
+ENERGY_ACCOUNTS: tuple[str, ...] = (*(law.words() for law in LAWS), "gravity", "mass damping")
+"""Names of the rows of `Totals`: one a law, then weight and mass damping."""

@@ -1,52 +1,87 @@
-"""Flesh hung on its bone segment by a spring and damper across the bone and one along it.
+"""A piece of flesh on its bone segment: a spring and damper across the bone, another pair along it.
 
-The force acts where the flesh is, on both bodies, so that linear and angular momentum are kept exactly.
+Force F = k·u + c·u̇ in each direction, with the displacement u of the flesh from its place at rest, seen
+from the bone (m), stiffness k (N/m) and damping c (N·s/m). It acts where the flesh is, on both bodies, so
+that linear and angular momentum are kept exactly. The flesh is a point mass.
+
+Source: a damped oscillator on the bone, its frequencies and damping ratio from the legform document:
+k = m·(2πf)², c = 2·ζ·m·2πf.
 """
 
 from __future__ import annotations
 
-from certkit.mechanics.force_laws.law import COS, POWER, SIN, STORED, Floats, Integers, Law, Scene, X, Z
-from certkit.mechanics.solver.compiling import compiled
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-LAW = Law(
-    "flesh",
-    ("bone", "flesh"),
-    ("height", "stiffness across", "stiffness along", "damping across", "damping along"),
-    ("shift across", "shift along"),
-)
+from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
+
+if TYPE_CHECKING:
+    from certkit.mechanics.records import Body, Rows, State
 
 
-@compiled
-def hang(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
-    """Add the springs between flesh and bone; see `certkit.mechanics.force_laws.law`."""
-    pose, rate = scene.pose, scene.rate
-    stored = power = 0.0
-    for i in range(index.shape[0]):
-        bone, flesh = index[i, 0], index[i, 1]
-        c, s = pose[bone, COS], pose[bone, SIN]
-        dx = pose[flesh, X] - pose[bone, X]
-        dz = pose[flesh, Z] - pose[bone, Z]
-        rx, rz = c * dx + s * dz, c * dz - s * dx
-        vx = rate[flesh, 0] - rate[bone, 0]
-        vz = rate[flesh, 1] - rate[bone, 1]
-        turn = rate[bone, 2]
-        across, along = rx, rz - number[i, 0]
-        across_rate = c * vx + s * vz + turn * rz
-        along_rate = c * vz - s * vx - turn * rx
-        damping_across = number[i, 3] * across_rate
-        damping_along = number[i, 4] * along_rate
-        # Force on the bone in its own frame.
-        fx = number[i, 1] * across + damping_across
-        fz = number[i, 2] * along + damping_along
-        stored += 0.5 * (number[i, 1] * across * across + number[i, 2] * along * along)
-        power += damping_across * across_rate + damping_along * along_rate
-        gx, gz = c * fx - s * fz, s * fx + c * fz
-        load[bone, 0] += gx
-        load[bone, 1] += gz
-        load[bone, 2] += rx * fz - rz * fx
-        load[flesh, 0] -= gx
-        load[flesh, 1] -= gz
-        state[i, 0] = across
-        state[i, 1] = along
-    ledger[STORED] += stored
-    ledger[POWER] += power
+@dataclass(kw_only=True)
+class FleshSuspension(ForceLaw):
+    """One piece of flesh.
+
+    Parameters
+    ----------
+    bone, flesh : Body
+    height : float
+        Of the flesh at rest above the bone's centre of gravity, m.
+    stiffness_across, stiffness_along : float
+        k, N/m.
+    damping_across, damping_along : float
+        c, N·s/m.
+    shift_across, shift_along : State
+        u now, m.
+    """
+
+    bone: Body
+    flesh: Body
+    height: float
+    stiffness_across: float
+    stiffness_along: float
+    damping_across: float
+    damping_along: float
+    shift_across: State = 0.0
+    shift_along: State = 0.0
+
+    @staticmethod
+    @compiled
+    def forces(pieces: Rows[FleshSuspension], now: Instant, load: Rows[Load], totals: Totals) -> None:
+        """Add the springs' and dampers' forces between flesh and bone."""
+        stored = power = 0.0
+        for i in range(len(pieces)):
+            piece = pieces[i]
+            bone, flesh = now.pose[piece.bone], now.pose[piece.flesh]
+            c, s = bone.cos, bone.sin
+            dx = flesh.x - bone.x
+            dz = flesh.z - bone.z
+            # The flesh in the bone's frame, and how fast it moves there.
+            rx, rz = c * dx + s * dz, c * dz - s * dx
+            of_bone, of_flesh = now.velocity[piece.bone], now.velocity[piece.flesh]
+            vx = of_flesh.x - of_bone.x
+            vz = of_flesh.z - of_bone.z
+            turn = of_bone.angular
+            across, along = rx, rz - piece.height
+            across_rate = c * vx + s * vz + turn * rz
+            along_rate = c * vz - s * vx - turn * rx
+            damping_across = piece.damping_across * across_rate
+            damping_along = piece.damping_along * along_rate
+            # Force on the bone in its own frame, then in space.
+            fx = piece.stiffness_across * across + damping_across
+            fz = piece.stiffness_along * along + damping_along
+            stored += 0.5 * (piece.stiffness_across * across * across + piece.stiffness_along * along * along)
+            power += damping_across * across_rate + damping_along * along_rate
+            gx, gz = c * fx - s * fz, s * fx + c * fz
+            on_bone, on_flesh = load[piece.bone], load[piece.flesh]
+            on_bone.x += gx
+            on_bone.z += gz
+            on_bone.torque += rx * fz - rz * fx
+            on_flesh.x -= gx
+            on_flesh.z -= gz
+            piece.shift_across = across
+            piece.shift_along = along
+        totals.stored += stored
+        totals.power += power

@@ -1,65 +1,94 @@
-"""Honeycomb: each strip of its face rises elastically to its crush strength and is then crushed for good.
+"""Honeycomb crushed against the leg: elastic up to its crush strength, then crushed for good.
 
-Its force per unit height is the crush strength times the contact width of the segment it meets; the contact
-pushes only.
+Force on a strip of height h: F = p·w·h·min(d_e/d_y, 1), with the crush strength p (Pa), the contact width w
+of the segment it meets (m), the elastic depth d_e = d - d_p and the depth d_y at which it yields (m). What
+goes beyond d_y adds to the crushed depth d_p, which stays: energy p·w·h per metre is dissipated. It pushes
+only.
+
+Source: perfectly plastic crush at constant pressure, the idealisation by which honeycomb is specified with
+one crush strength.
 """
 
 from __future__ import annotations
 
-from certkit.mechanics.force_laws.law import (
-    FORCE,
-    SPENT,
-    STORED,
-    Floats,
-    Integers,
-    Law,
-    Scene,
-    X,
-    Z,
-)
-from certkit.mechanics.force_laws.leg_outline import face_at, row_at
-from certkit.mechanics.solver.compiling import compiled
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-LAW = Law(
-    "honeycomb",
-    ("carrier",),
-    ("face x", "face z", "height", "strength", "elastic depth", "thickness"),
-    ("crushed", "force"),
-)
+from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
+from certkit.mechanics.force_laws.leg_outline import piece_at, surface_at
+
+if TYPE_CHECKING:
+    from certkit.mechanics.records import Body, Rows, State
 
 
-@compiled
-def crush(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
-    """Add the honeycomb's force; see `certkit.mechanics.force_laws.law`."""
-    pose = scene.pose
-    row = 0
-    for i in range(index.shape[0]):
-        carrier = index[i, 0]
-        if i > 0 and carrier != index[i - 1, 0]:
-            row = 0
-        z = pose[carrier, Z] + number[i, 1]
-        state[i, 1] = 0.0
-        found = row_at(scene, z, row)
-        if found < 0:
-            continue
-        row = found
-        x, by_z, by_angle = face_at(scene, row, z, number[i, 5])
-        yield_depth = number[i, 4]
-        elastic = x - pose[carrier, X] - number[i, 0] - state[i, 0]
-        if elastic <= 0.0:
-            continue
-        strength = number[i, 3] * scene.outline[row, 3] * number[i, 2]
-        if elastic > yield_depth:
-            ledger[SPENT] += strength * (elastic - yield_depth)
-            state[i, 0] += elastic - yield_depth
-            elastic = yield_depth
-        force = strength * elastic / yield_depth
-        ledger[STORED] += 0.5 * force * elastic
-        ledger[FORCE] += force
-        body = scene.outline_body[row]
-        load[body, 0] -= force
-        load[body, 1] -= force * by_z
-        load[body, 2] -= force * by_angle
-        load[carrier, 0] += force
-        load[carrier, 1] += force * by_z
-        state[i, 1] = force
+@dataclass(kw_only=True)
+class Honeycomb(ForceLaw):
+    """One strip of the honeycomb's face; the strips of a body follow each other from top to bottom.
+
+    Parameters
+    ----------
+    carrier : Body
+        What the honeycomb is fixed to.
+    face_x, face_z : float
+        The strip's middle, not yet crushed, from the carrier's centre of gravity, m.
+    height : float
+        h, m.
+    strength : float
+        p, Pa.
+    elastic_depth : float
+        d_y, m.
+    thickness : float
+        Of the flesh in front of the bone, m.
+    crushed : State
+        d_p, m: remembered from step to step.
+    force : State
+        F now, N.
+    """
+
+    carrier: Body
+    face_x: float
+    face_z: float
+    height: float
+    strength: float
+    elastic_depth: float
+    thickness: float
+    crushed: State = 0.0
+    force: State = 0.0
+
+    @staticmethod
+    @compiled
+    def forces(strips: Rows[Honeycomb], now: Instant, load: Rows[Load], totals: Totals) -> None:
+        """Add the honeycomb's forces and crush it further."""
+        piece = 0
+        for i in range(len(strips)):
+            strip = strips[i]
+            carrier = now.pose[strip.carrier]
+            if i > 0 and strip.carrier != strips[i - 1].carrier:
+                piece = 0
+            z = carrier.z + strip.face_z
+            strip.force = 0.0
+            found = piece_at(now, z, piece)
+            if found < 0:
+                continue
+            piece = found
+            x, by_z, by_angle = surface_at(now, piece, z, strip.thickness)
+            yield_depth = strip.elastic_depth
+            elastic = x - carrier.x - strip.face_x - strip.crushed
+            if elastic <= 0.0:
+                continue
+            strength = strip.strength * now.outline[piece].width * strip.height
+            if elastic > yield_depth:
+                totals.dissipated += strength * (elastic - yield_depth)
+                strip.crushed += elastic - yield_depth
+                elastic = yield_depth
+            force = strength * elastic / yield_depth
+            totals.stored += 0.5 * force * elastic
+            totals.force += force
+            on_leg, on_carrier = load[now.outline[piece].body], load[strip.carrier]
+            on_leg.x -= force
+            on_leg.z -= force * by_z
+            on_leg.torque -= force * by_angle
+            on_carrier.x += force
+            on_carrier.z += force * by_z
+            strip.force = force

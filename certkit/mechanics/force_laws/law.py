@@ -1,87 +1,145 @@
-"""What every force law declares: the columns of its tables.
+"""What a force law is, and what all laws see of a time step.
 
-A law is one small file: a `Law` that names the columns, and one compiled function that walks the rows. All
-laws have the same signature, so adding one means a new file, a line in `mechanics.force_laws` and a line
-in `certkit.mechanics.solver.kernel`.
+A force law is one class in one file: its docstring gives formula, units and source; its fields are the
+parameters and the state of one row of its table (one ligament, one strip of honeycomb …); its function
+`forces` walks the rows. Adding a law takes the new file and one line in `certkit.mechanics.force_laws`:
+builders add rows (`assembly.add(LigamentCable(upper=…, …))`), the time loop is composed from the list.
 
-A law's function is called once a step with
-
-- `index` (rows, n) int64: the bodies it acts on; the last row of `pose` is the ground;
-- `number` (rows, n) float64: its constants; `state` (rows, n) float64: what it remembers and its readings;
-- `scene`: what all laws see (`Scene`);
-- `load` (bodies + 1, 3): x force, z force and torque; it adds to them;
-- `ledger` (5,): its books, see `STORED` and the names beside it.
+Axes: x towards the obstacle, z up, angles positive anticlockwise seen from -y. All in SI units.
 """
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Heads = tuple[NDArray[np.int32], NDArray[np.int32]]
-
-# Columns of a law's ledger.
-STORED = 0  # elastic (or gravitational) energy now, J
-POWER = 1  # power being dissipated now, W; negative: work done on the leg from outside
-SPENT = 2  # energy dissipated so far in sudden amounts (plastic crush, slip), J
-FORCE = 3  # resultant along x, N, positive towards the obstacle
-DEPTH = 4  # deepest penetration of a contact now, m
-LEDGER = 5
-
-# Columns of `pose`.
-X, Z, ANGLE, COS, SIN = 0, 1, 2, 3, 4
+from certkit.mechanics.records import Record, Rows
 
 
-class Scene(NamedTuple):
-    """What all laws see of a step.
+@dataclass
+class Pose(Record):
+    """Where a body is, at the instant the forces act: centre of gravity (m), angle (rad), cosine and sine."""
+
+    x: float
+    z: float
+    angle: float
+    cos: float
+    sin: float
+
+
+@dataclass
+class Velocity(Record):
+    """A body's velocity: m/s, m/s and rad/s."""
+
+    x: float
+    z: float
+    angular: float
+
+
+@dataclass
+class Load(Record):
+    """Force on a body through its centre of gravity (N) and torque about it (N·m)."""
+
+    x: float
+    z: float
+    torque: float
+
+
+@dataclass
+class OutlinePiece(Record):
+    """The leg's surface on one body: what obstacles meet.
 
     Parameters
     ----------
-    pose : ndarray, shape (bodies + 1, 5)
-        x, z, angle, its cosine and sine, at the instant the forces act. The last row is the ground.
-    rate : ndarray, shape (bodies + 1, 3)
+    body : Body
+    top, bottom : float
+        Its ends above the body's centre of gravity, m.
+    face : float
+        Distance of the surface from the axis, m.
+    width : float
+        Contact width, m.
+    """
+
+    body: int
+    top: float
+    bottom: float
+    face: float
+    width: float
+
+
+@dataclass
+class CurvePoint(Record):
+    """A point of a piecewise-linear curve: force over shortening, or over time."""
+
+    x: float
+    force: float
+
+
+@dataclass
+class Totals(Record):
+    """What a law sums up over its rows in a step.
+
+    Parameters
+    ----------
+    stored : float
+        Elastic (or gravitational) energy now, J.
+    power : float
+        Power being dissipated now, W; negative: work done on the leg from outside.
+    dissipated : float
+        Energy dissipated so far in sudden amounts (plastic crush, slip), J. It alone is kept from step to
+        step.
+    force : float
+        Resultant along x now, N, positive towards the obstacle.
+    penetration : float
+        Deepest penetration of a contact now, m.
+    """
+
+    stored: float
+    power: float
+    dissipated: float
+    force: float
+    penetration: float
+
+
+class Instant(NamedTuple):
+    """What all laws see of a step: the instant at which its forces act.
+
+    Parameters
+    ----------
+    pose : shape (bodies + 1,)
+        The last row is the ground.
+    velocity : shape (bodies + 1,)
         Velocities extrapolated to that instant, for damping.
-    move : ndarray, shape (bodies + 1, 3)
-        Velocities over the step that leads there: `move · step` is the exact displacement, for slip.
-    outline_body : ndarray of int64, shape (m,)
-        Bodies of the leg from top to bottom.
-    outline : ndarray, shape (m, 4)
-        Of each: top and bottom above its centre of gravity, distance of its face from the axis, contact
-        width.
+    step_velocity : shape (bodies + 1,)
+        Velocities over the step that leads there: `step_velocity · step` is the exact displacement, for slip.
+    outline : shape (m,)
+        The leg's surface, from top to bottom.
+    curves : shape (k,)
+        Points of all piecewise-linear curves, one curve after another.
     time, step : float
         Seconds; `step` is the length of the step that leads to this instant.
-    schedule : ndarray, shape (k, 2)
-        Time and force of the loading ram.
     """
 
-    pose: Floats
-    rate: Floats
-    move: Floats
-    outline_body: Integers
-    outline: Floats
+    pose: Rows[Pose]
+    velocity: Rows[Velocity]
+    step_velocity: Rows[Velocity]
+    outline: Rows[OutlinePiece]
+    curves: Rows[CurvePoint]
     time: float
     step: float
-    schedule: Floats
 
 
-@dataclass(frozen=True)
-class Law:
-    """The columns of one force law's tables.
+class ForceLaw(Record):
+    """Base of the force laws; an instance is one row of the law's table.
 
-    Parameters
-    ----------
-    name : str
-        As in the energy balance.
-    bodies, numbers, states : tuple of str
-        Columns of `index`, `number` and `state`.
+    The function `forces(rows, now, load, totals)` is called once a step. It adds to the bodies' `load`
+    (shape (bodies + 1,)), to its own `totals`, and writes the `State` fields of its rows.
     """
 
-    name: str
-    bodies: tuple[str, ...]
-    numbers: tuple[str, ...]
-    states: tuple[str, ...]
+    forces: ClassVar[Any]
+
+    @classmethod
+    def words(cls) -> str:
+        """Return the law's name in the energy balance: `LigamentCable` is the `ligament cable`."""
+        return re.sub(r"(?<!^)(?=[A-Z])", " ", cls.__name__).lower()

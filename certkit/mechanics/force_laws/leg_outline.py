@@ -1,50 +1,57 @@
-"""The leg's face as obstacles see it: which segment stands at a height, and how far forward.
+"""The leg's surface as obstacles meet it: which segment stands at a height, and how far forward.
 
 Obstacles are cut into strips of constant height in space. A strip looks up the segment at its height, so
-its force passes smoothly from segment to segment as the leg tilts and slides. Forces follow the gradient of
-the depth, which makes them normal to the face and conservative.
+its force passes smoothly from segment to segment as the leg tilts and slides. With the surface at
+x(z) = x₀ - (z - z₀)·tan θ + e/cos θ on a segment at (x₀, z₀, θ) with half depth e, forces follow the gradient
+of the depth, which makes them normal to the surface and conservative.
 """
 
 from __future__ import annotations
 
-from certkit.mechanics.force_laws.law import COS, SIN, Scene, X, Z
-from certkit.mechanics.solver.compiling import compiled
+from typing import TYPE_CHECKING
 
-STEEPEST = 0.3  # cosine: a segment that leans more than about 70° is not met by any obstacle
+from certkit.mechanics.compiling import compiled
+
+if TYPE_CHECKING:
+    from certkit.mechanics.force_laws.law import Instant
+
+STEEPEST = 0.3
+"""Cosine: a segment that is tilted by more than about 70° is not met by any obstacle."""
 
 
 @compiled
-def row_at(scene: Scene, z: float, row: int) -> int:
-    """Return the first outline row at or below `row` that stands at height `z`; -1 where there is none.
+def piece_at(now: Instant, z: float, piece: int) -> int:
+    """Return the first piece of the outline at or below `piece` that stands at height `z`; -1 for none.
 
-    Strips must come from top to bottom, each starting from the row of the one above it.
+    Strips must come from top to bottom, each starting from the piece of the one above it.
     """
-    pose, outline = scene.pose, scene.outline
-    last = scene.outline_body.shape[0]
-    while row < last:
-        body = scene.outline_body[row]
-        if pose[body, COS] < STEEPEST:
+    last = len(now.outline)
+    while piece < last:
+        leg = now.outline[piece]
+        pose = now.pose[leg.body]
+        if pose.cos < STEEPEST:
             return -1
-        if z >= pose[body, Z] + outline[row, 1] * pose[body, COS]:
-            above = z > pose[body, Z] + outline[row, 0] * pose[body, COS]
-            return -1 if above and row == 0 else row
-        row += 1
+        if z >= pose.z + leg.bottom * pose.cos:
+            above = z > pose.z + leg.top * pose.cos
+            return -1 if above and piece == 0 else piece
+        piece += 1
     return -1
 
 
 @compiled
-def face_at(scene: Scene, row: int, z: float, thickness: float) -> tuple[float, float, float]:
-    """Return where the face stands at height `z`, and how that follows the segment's pose.
+def surface_at(now: Instant, piece: int, z: float, thickness: float) -> tuple[float, float, float]:
+    """Return where the leg's surface stands at height `z`, and how that follows the segment's pose.
 
     Returns
     -------
     x, by_height, by_angle : float
-        Place of the face (m), and its derivatives by the segment's height and angle (by its x: one).
+        Place of the surface, flesh of this `thickness` included (m), and its derivatives by the segment's
+        height and angle (by its x: one).
     """
-    pose = scene.pose
-    body = scene.outline_body[row]
-    c = pose[body, COS]
-    tangent = pose[body, SIN] / c
-    lever = z - pose[body, Z]
-    off = (scene.outline[row, 2] + thickness) / c
-    return pose[body, X] - lever * tangent + off, tangent, off * tangent - lever / (c * c)
+    leg = now.outline[piece]
+    pose = now.pose[leg.body]
+    c = pose.cos
+    tangent = pose.sin / c
+    lever = z - pose.z
+    off = (leg.face + thickness) / c
+    return pose.x - lever * tangent + off, tangent, off * tangent - lever / (c * c)

@@ -1,55 +1,102 @@
-"""Cables on preloaded springs, ligaments and the tension of the flesh: they pull and never push."""
+"""A knee ligament: a wire cable on a preloaded spring, which pulls and never pushes.
+
+Tension T = max(F₀ + k·e, 0) + c·ė, never below zero, with the elongation e = l - l₀ over the length at rest
+(m), preload F₀ (N), stiffness k (N/m) and damping c (N·s/m), along the line between its two attachments.
+The damper acts only while the spring is tight. Stored energy max(F₀ + k·e, 0)²/(2k).
+
+The same law is the tension of the flesh's outer cover from one piece of flesh to the next.
+
+Source: the knee blocks are held together by spring wires (seed paper, section 2.1.2); their elastic law is
+taken as linear.
+"""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from certkit.mechanics.force_laws.law import COS, POWER, SIN, STORED, Floats, Integers, Law, Scene, X, Z
-from certkit.mechanics.solver.compiling import compiled
+from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
 
-LAW = Law(
-    "cables",
-    ("upper", "lower"),
-    ("upper x", "upper z", "lower x", "lower z", "length", "stiffness", "preload", "damping"),
-    ("elongation", "tension"),
-)
+if TYPE_CHECKING:
+    from certkit.mechanics.records import Body, Rows, State
 
 
-@compiled
-def pull(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
-    """Add the cable tensions; see `certkit.mechanics.force_laws.law`."""
-    pose, rate = scene.pose, scene.rate
-    stored = power = 0.0
-    for i in range(index.shape[0]):
-        a, b = index[i, 0], index[i, 1]
-        ax = pose[a, COS] * number[i, 0] - pose[a, SIN] * number[i, 1]
-        az = pose[a, SIN] * number[i, 0] + pose[a, COS] * number[i, 1]
-        bx = pose[b, COS] * number[i, 2] - pose[b, SIN] * number[i, 3]
-        bz = pose[b, SIN] * number[i, 2] + pose[b, COS] * number[i, 3]
-        dx = pose[a, X] + ax - pose[b, X] - bx
-        dz = pose[a, Z] + az - pose[b, Z] - bz
-        length = math.sqrt(dx * dx + dz * dz)
-        ux, uz = dx / length, dz / length
-        elongation = length - number[i, 4]
-        lengthening = (rate[a, 0] - rate[a, 2] * az - rate[b, 0] + rate[b, 2] * bz) * ux + (
-            rate[a, 1] + rate[a, 2] * ax - rate[b, 1] - rate[b, 2] * bx
-        ) * uz
-        elastic = number[i, 6] + number[i, 5] * elongation
-        elastic = max(elastic, 0.0)
-        tension = elastic + number[i, 7] * lengthening if elastic > 0.0 else 0.0
-        tension = max(tension, 0.0)
-        power += (tension - elastic) * lengthening
-        if number[i, 5] > 0.0:
-            stored += 0.5 * elastic * elastic / number[i, 5]
-        else:
-            stored += elastic * elongation
-        load[a, 0] -= tension * ux
-        load[a, 1] -= tension * uz
-        load[a, 2] -= tension * (ax * uz - az * ux)
-        load[b, 0] += tension * ux
-        load[b, 1] += tension * uz
-        load[b, 2] += tension * (bx * uz - bz * ux)
-        state[i, 0] = elongation
-        state[i, 1] = tension
-    ledger[STORED] += stored
-    ledger[POWER] += power
+@dataclass(kw_only=True)
+class LigamentCable(ForceLaw):
+    """One cable.
+
+    Parameters
+    ----------
+    upper, lower : Body
+    upper_x, upper_z, lower_x, lower_z : float
+        Its attachments in each body's frame, from the centre of gravity, m.
+    length : float
+        l₀, m.
+    stiffness : float
+        k, N/m.
+    preload : float
+        F₀, N.
+    damping : float
+        c, N·s/m.
+    elongation, tension : State
+        e (m) and T (N) now.
+    """
+
+    upper: Body
+    lower: Body
+    upper_x: float = 0.0
+    upper_z: float = 0.0
+    lower_x: float = 0.0
+    lower_z: float = 0.0
+    length: float
+    stiffness: float
+    preload: float = 0.0
+    damping: float = 0.0
+    elongation: State = 0.0
+    tension: State = 0.0
+
+    @staticmethod
+    @compiled
+    def forces(cables: Rows[LigamentCable], now: Instant, load: Rows[Load], totals: Totals) -> None:
+        """Add the cables' tensions."""
+        stored = power = 0.0
+        for i in range(len(cables)):
+            cable = cables[i]
+            a, b = cable.upper, cable.lower
+            upper, lower = now.pose[a], now.pose[b]
+            # Attachments from each body's centre of gravity, in space.
+            ax = upper.cos * cable.upper_x - upper.sin * cable.upper_z
+            az = upper.sin * cable.upper_x + upper.cos * cable.upper_z
+            bx = lower.cos * cable.lower_x - lower.sin * cable.lower_z
+            bz = lower.sin * cable.lower_x + lower.cos * cable.lower_z
+            dx = upper.x + ax - lower.x - bx
+            dz = upper.z + az - lower.z - bz
+            length = math.sqrt(dx * dx + dz * dz)
+            ux, uz = dx / length, dz / length
+            elongation = length - cable.length
+            va, vb = now.velocity[a], now.velocity[b]
+            lengthening = (va.x - va.angular * az - vb.x + vb.angular * bz) * ux + (
+                va.z + va.angular * ax - vb.z - vb.angular * bx
+            ) * uz
+            elastic = cable.preload + cable.stiffness * elongation
+            elastic = max(elastic, 0.0)
+            tension = elastic + cable.damping * lengthening if elastic > 0.0 else 0.0
+            tension = max(tension, 0.0)
+            power += (tension - elastic) * lengthening
+            if cable.stiffness > 0.0:
+                stored += 0.5 * elastic * elastic / cable.stiffness
+            else:
+                stored += elastic * elongation
+            on_upper, on_lower = load[a], load[b]
+            on_upper.x -= tension * ux
+            on_upper.z -= tension * uz
+            on_upper.torque -= tension * (ax * uz - az * ux)
+            on_lower.x += tension * ux
+            on_lower.z += tension * uz
+            on_lower.torque += tension * (bx * uz - bz * ux)
+            cable.elongation = elongation
+            cable.tension = tension
+        totals.stored += stored
+        totals.power += power

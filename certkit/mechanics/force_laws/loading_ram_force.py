@@ -1,63 +1,90 @@
-"""The loading ram's force, from a schedule of levels: on a body, or straight on the specimen at a station.
+"""The force of the loading ram: F(t) along -x from a schedule, on the ram's body or straight on the bone.
 
-Between two segments the force is shared by both.
+The schedule is piecewise linear in time. Without a body of its own the force acts on the leg at a station;
+on a joint between two segments both take half of it. Its work is counted as negative dissipation, for it
+comes from outside.
+
+Source: load levels of the static certification tests, each held until the specimen is at rest.
 """
 
 from __future__ import annotations
 
-from certkit.mechanics.force_laws.law import (
-    COS,
-    POWER,
-    SIN,
-    Floats,
-    Integers,
-    Law,
-    Scene,
-    X,
-    Z,
-)
-from certkit.mechanics.force_laws.leg_outline import row_at
-from certkit.mechanics.solver.compiling import compiled
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-LAW = Law("loading ram", ("ram",), ("station", "start"), ("force", "travel"))
+from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.law import CurvePoint, ForceLaw, Instant, Load, Totals
+from certkit.mechanics.force_laws.leg_outline import piece_at
 
-JOINT = 1e-9  # m: how near a joint the station counts as on it
+if TYPE_CHECKING:
+    from certkit.mechanics.records import Body, Rows, State
+
+JOINT = 1e-9
+"""m: how near a joint the station counts as on it."""
 
 
 @compiled
-def _scheduled(schedule: Floats, time: float) -> float:
-    last = schedule.shape[0] - 1
-    if time >= schedule[last, 0]:
-        return float(schedule[last, 1])
-    k = 0
-    while time >= schedule[k + 1, 0]:
+def _force_at(curves: Rows[CurvePoint], start: int, points: int, time: float) -> float:
+    """Interpolate the schedule; after its end the last force stays."""
+    last = start + points - 1
+    if time >= curves[last].x:
+        return curves[last].force
+    k = start
+    while time >= curves[k + 1].x:
         k += 1
-    share = (time - schedule[k, 0]) / (schedule[k + 1, 0] - schedule[k, 0])
-    return float(schedule[k, 1] + share * (schedule[k + 1, 1] - schedule[k, 1]))
+    share = (time - curves[k].x) / (curves[k + 1].x - curves[k].x)
+    return curves[k].force + share * (curves[k + 1].force - curves[k].force)
 
 
-@compiled
-def push(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
-    """Add the ram's force, along -x; its work is booked as negative dissipation."""
-    pose, rate = scene.pose, scene.rate
-    for i in range(index.shape[0]):
-        force = _scheduled(scene.schedule, scene.time)
-        state[i, 0] = force
-        ram = index[i, 0]
-        if ram < pose.shape[0] - 1:
-            load[ram, 0] -= force
-            ledger[POWER] += force * rate[ram, 0]
-            state[i, 1] = number[i, 1] - pose[ram, X]
-            continue
-        state[i, 1] = number[i, 1]
-        for side in range(2):
-            z = number[i, 0] + (JOINT if side == 0 else -JOINT)
-            row = row_at(scene, z, 0)
-            if row < 0:
+@dataclass(kw_only=True)
+class LoadingRamForce(ForceLaw):
+    """One ram.
+
+    Parameters
+    ----------
+    ram : Body
+        Its body; the ground where the force acts straight on the leg.
+    station : float
+        Height of the force in space, m.
+    start : float
+        Where the ram (or the loaded point) stands at the beginning, m: travel is counted from here.
+    schedule_start, schedule_points : int
+        The schedule among the curves: its first point and how many they are.
+    force, travel : State
+        F (N) and the way of the loaded point along -x (m) now.
+    """
+
+    ram: Body
+    station: float
+    start: float
+    schedule_start: int
+    schedule_points: int
+    force: State = 0.0
+    travel: State = 0.0
+
+    @staticmethod
+    @compiled
+    def forces(rams: Rows[LoadingRamForce], now: Instant, load: Rows[Load], totals: Totals) -> None:
+        """Add the ram's force."""
+        for i in range(len(rams)):
+            ram = rams[i]
+            force = _force_at(now.curves, ram.schedule_start, ram.schedule_points, now.time)
+            ram.force = force
+            if ram.ram < len(now.pose) - 1:
+                load[ram.ram].x -= force
+                totals.power += force * now.velocity[ram.ram].x
+                ram.travel = ram.start - now.pose[ram.ram].x
                 continue
-            body = scene.outline_body[row]
-            lever = number[i, 0] - pose[body, Z]
-            load[body, 0] -= 0.5 * force
-            load[body, 2] += 0.5 * force * lever
-            ledger[POWER] += 0.5 * force * (rate[body, 0] - rate[body, 2] * lever)
-            state[i, 1] -= 0.5 * (pose[body, X] - lever * pose[body, SIN] / pose[body, COS])
+            ram.travel = ram.start
+            for side in range(2):
+                z = ram.station + (JOINT if side == 0 else -JOINT)
+                piece = piece_at(now, z, 0)
+                if piece < 0:
+                    continue
+                body = now.outline[piece].body
+                pose, velocity = now.pose[body], now.velocity[body]
+                lever = ram.station - pose.z
+                load[body].x -= 0.5 * force
+                load[body].torque += 0.5 * force * lever
+                totals.power += 0.5 * force * (velocity.x - velocity.angular * lever)
+                ram.travel -= 0.5 * (pose.x - lever * pose.sin / pose.cos)

@@ -1,57 +1,79 @@
-"""Rollers that stay where they are in space while the bone slides over them.
+"""A roller under the bone in three-point bending: it stays where it is while the bone slides over it.
 
-The reaction is along the load (x) at a fixed station, so the moment at mid-span is F/2 · span/2 whatever
-the deflection: what a frictionless roller would add along the bone is carried by friction there. The work
-of that friction is booked as dissipated.
+Reaction F = max(k·d - c·v, 0) along the load (+x), with the depth d of the roller in the bone at the
+roller's own station z (m), contact stiffness k (N/m), damping c (N·s/m) and the speed v at which the bone's
+surface moves away there.
+
+The roller stands at x = 0 and a fixed station, so the moment at mid-span is F/2 times half the span
+whatever the deflection: what a frictionless roller would add along the bone is taken by friction there, and
+the work of that friction is counted as dissipated.
+
+Source: a modelling choice: with supports that travel with the bone the mid-span moment would fall below F/2
+times half the span as the bone bends.
 """
 
 from __future__ import annotations
 
-from certkit.mechanics.force_laws.law import (
-    COS,
-    DEPTH,
-    POWER,
-    SIN,
-    STORED,
-    Floats,
-    Integers,
-    Law,
-    Scene,
-    X,
-    Z,
-)
-from certkit.mechanics.force_laws.leg_outline import row_at
-from certkit.mechanics.solver.compiling import compiled
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-LAW = Law("supports", ("carrier",), ("station", "stiffness", "damping"), ("depth", "force"))
+from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
+from certkit.mechanics.force_laws.leg_outline import piece_at
+
+if TYPE_CHECKING:
+    from certkit.mechanics.records import Rows, State
 
 
-@compiled
-def carry(index: Integers, number: Floats, state: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
-    """Add the reactions of the rollers, which stand at x = 0 and push along +x."""
-    pose, rate = scene.pose, scene.rate
-    for i in range(index.shape[0]):
-        z = number[i, 0]
-        state[i, 0] = state[i, 1] = 0.0
-        row = row_at(scene, z, 0)
-        if row < 0:
-            continue
-        body = scene.outline_body[row]
-        tangent = pose[body, SIN] / pose[body, COS]
-        lever = z - pose[body, Z]
-        depth = lever * tangent - pose[body, X]
-        if depth <= 0.0:
-            continue
-        point_speed = rate[body, 0] - rate[body, 2] * lever
-        face_speed = (
-            rate[body, 0] + tangent * rate[body, 1] - rate[body, 2] * lever * (1.0 + tangent * tangent)
-        )
-        elastic = number[i, 1] * depth
-        force = max(elastic - number[i, 2] * face_speed, 0.0)
-        load[body, 0] += force
-        load[body, 2] -= force * lever
-        ledger[STORED] += 0.5 * elastic * depth
-        ledger[POWER] += force * (face_speed - point_speed) - (force - elastic) * face_speed
-        ledger[DEPTH] = max(ledger[DEPTH], depth)
-        state[i, 0] = depth
-        state[i, 1] = force
+@dataclass(kw_only=True)
+class SupportRoller(ForceLaw):
+    """One roller.
+
+    Parameters
+    ----------
+    station : float
+        Its height z in space, m.
+    stiffness, damping : float
+        k (N/m) and c (N·s/m).
+    depth, force : State
+        d (m) and F (N) now.
+    """
+
+    station: float
+    stiffness: float
+    damping: float = 0.0
+    depth: State = 0.0
+    force: State = 0.0
+
+    @staticmethod
+    @compiled
+    def forces(rollers: Rows[SupportRoller], now: Instant, load: Rows[Load], totals: Totals) -> None:
+        """Add the rollers' reactions."""
+        for i in range(len(rollers)):
+            roller = rollers[i]
+            z = roller.station
+            roller.depth = 0.0
+            roller.force = 0.0
+            piece = piece_at(now, z, 0)
+            if piece < 0:
+                continue
+            body = now.outline[piece].body
+            pose, velocity = now.pose[body], now.velocity[body]
+            tangent = pose.sin / pose.cos
+            lever = z - pose.z
+            depth = lever * tangent - pose.x
+            if depth <= 0.0:
+                continue
+            point_speed = velocity.x - velocity.angular * lever
+            face_speed = (
+                velocity.x + tangent * velocity.z - velocity.angular * lever * (1.0 + tangent * tangent)
+            )
+            elastic = roller.stiffness * depth
+            force = max(elastic - roller.damping * face_speed, 0.0)
+            load[body].x += force
+            load[body].torque -= force * lever
+            totals.stored += 0.5 * elastic * depth
+            totals.power += force * (face_speed - point_speed) - (force - elastic) * face_speed
+            totals.penetration = max(totals.penetration, depth)
+            roller.depth = depth
+            roller.force = force

@@ -1,63 +1,55 @@
 """A spring between two groups of a vehicle, or a group and the ground, along x.
 
-Piecewise-linear loading curve; unloading and reloading on a branch of their own with residual force and
-permanent set; a pulling side with a memory of its own; a damper. The same law as
-`identification.spring_law`, which says it in formulas; a test holds the two together. The points of all
-curves stand in one table that springs point into.
+Loading follows a piecewise-linear curve F(x) over the shortening x (m). Unloading and reloading follow a
+branch of their own, max(F(x_m) - k_u·(x_m - x), r·F(x_m)·(x - x_r)/(x_m - x_r), 0), never above the curve,
+with the largest shortening x_m so far, unloading stiffness k_u (N/m), residual share r and permanent set
+x_r = s·x_m. A pulling side, where there is one, is the same law with a memory of its own. A damper c·ẋ
+(N·s/m) acts beside it, which without a pulling side never turns the spring into one that pulls.
+
+Source: the same law as `certkit.identification.spring_law`, which fits it to finite-element histories; a
+test holds the two together.
 """
 
 from __future__ import annotations
 
-from certkit.mechanics.force_laws.law import POWER, SPENT, STORED, Floats, Integers, Law, Scene, X
-from certkit.mechanics.solver.compiling import compiled
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-POINTS = Law("loading curves", (), ("shortening", "force"), ())
-LAW = Law(
-    "vehicle springs",
-    ("first", "second"),
-    (
-        "rest",
-        "push from",
-        "push points",
-        "pull from",
-        "pull points",
-        "unloading",
-        "residual",
-        "permanent set",
-        "damping",
-    ),
-    ("longest push", "longest pull", "shortening", "force", "spring", "stored"),
-)
+from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.law import CurvePoint, ForceLaw, Instant, Load, Totals
+
+if TYPE_CHECKING:
+    from certkit.mechanics.records import Body, Rows, State
 
 
 @compiled
-def _curve(points: Floats, start: int, count: int, x: float) -> float:
+def _loading(curves: Rows[CurvePoint], start: int, count: int, x: float) -> float:
     """Return the force at x ≥ 0, continued with the last slope, but never with a falling one."""
     low, high = start, start + count - 1
-    if x >= points[high, 0]:
-        slope = (points[high, 1] - points[high - 1, 1]) / (points[high, 0] - points[high - 1, 0])
-        return float(points[high, 1] + max(slope, 0.0) * (x - points[high, 0]))
+    if x >= curves[high].x:
+        slope = (curves[high].force - curves[high - 1].force) / (curves[high].x - curves[high - 1].x)
+        return curves[high].force + max(slope, 0.0) * (x - curves[high].x)
     while high - low > 1:
         middle = (low + high) // 2
-        if x < points[middle, 0]:
+        if x < curves[middle].x:
             high = middle
         else:
             low = middle
-    share = (x - points[low, 0]) / (points[high, 0] - points[low, 0])
-    return float(points[low, 1] + share * (points[high, 1] - points[low, 1]))
+    share = (x - curves[low].x) / (curves[high].x - curves[low].x)
+    return curves[low].force + share * (curves[high].force - curves[low].force)
 
 
 @compiled
 def _side(
-    points: Floats, start: int, count: int, x: float, top: float, branch: Floats
+    curves: Rows[CurvePoint], start: int, count: int, x: float, top: float, row: VehicleSpring
 ) -> tuple[float, float]:
     """Return force and recoverable energy of one side at x ≥ 0, whose largest value so far is `top`."""
-    unloading, residual, rest = branch[0], branch[1], branch[2] * top
-    peak = _curve(points, start, count, top)
+    unloading, residual, rest = row.unloading, row.residual, row.permanent_set * top
+    peak = _loading(curves, start, count, top)
     steep = max(peak - unloading * (top - x), 0.0)
     flat = residual * peak / (top - rest) if top > rest else 0.0
     soft = flat * max(x - rest, 0.0)
-    force = peak if x >= top else min(max(steep, soft), _curve(points, start, count, x))
+    force = peak if x >= top else min(max(steep, soft), _loading(curves, start, count, x))
     # Area under the branch: the flat part from the permanent set, and what the steep part stands above it.
     stored = 0.5 * soft * max(x - rest, 0.0)
     above = steep - soft
@@ -72,53 +64,90 @@ def _side(
     return force, stored
 
 
-@compiled
-def stretch(
-    index: Integers,
-    number: Floats,
-    state: Floats,
-    points: Floats,
-    scene: Scene,
-    load: Floats,
-    ledger: Floats,
-) -> None:
-    """Add the springs' forces; see `certkit.mechanics.force_laws.law`."""
-    pose, rate = scene.pose, scene.rate
-    for i in range(index.shape[0]):
-        first, second = index[i, 0], index[i, 1]
-        x = pose[first, X] - pose[second, X] - number[i, 0]
-        v = rate[first, 0] - rate[second, 0]
-        branch = number[i, 5:8]
-        start, count = int(number[i, 1]), int(number[i, 2])
-        pushed = max(x, 0.0)
-        top = max(state[i, 0], pushed)
-        spring, stored = _side(points, start, count, pushed, top, branch)
-        pulls = number[i, 4] > 0.0
-        longest = state[i, 1]
-        if pulls:
-            # The pulling side starts from the length that the shortening has left behind.
-            if branch[1] > 0.0:
-                length = branch[2] * top
-            else:
-                length = max(top - _curve(points, start, count, top) / branch[0], 0.0)
-            y = length - x
-            if y > 0.0:
-                longest = max(longest, y)
-                pull, energy = _side(points, int(number[i, 3]), int(number[i, 4]), y, longest, branch)
-                spring, stored = -pull, stored + energy
-        damper = number[i, 8] * v
-        if not pulls:
-            damper = max(damper, -spring) if spring > 0.0 else 0.0
-        work = 0.5 * (spring + state[i, 4]) * (x - state[i, 2])
-        ledger[SPENT] += work - (stored - state[i, 5])
-        ledger[STORED] += stored
-        ledger[POWER] += damper * v
-        force = spring + damper
-        load[first, 0] -= force
-        load[second, 0] += force
-        state[i, 0] = top
-        state[i, 1] = longest
-        state[i, 2] = x
-        state[i, 3] = force
-        state[i, 4] = spring
-        state[i, 5] = stored
+@dataclass(kw_only=True)
+class VehicleSpring(ForceLaw):
+    """One connection of the vehicle.
+
+    Parameters
+    ----------
+    first, second : Body
+        It is shortened where the first comes nearer to the second, along +x.
+    rest : float
+        Distance of the two along x where the spring is neither shortened nor lengthened, m.
+    push_start, push_points, pull_start, pull_points : int
+        Its loading curves among the curves: first point, and how many; no pulling side with 0 points.
+    unloading : float
+        k_u, N/m.
+    residual, permanent_set : float
+        r and s.
+    damping : float
+        c, N·s/m.
+    longest_push, longest_pull : State
+        x_m of each side, m: remembered from step to step.
+    shortening, force : State
+        x (m) and force with damper (N) now.
+    spring_force, stored : State
+        Force without damper (N) and recoverable energy (J) now, for the energy lost in the next step.
+    """
+
+    first: Body
+    second: Body
+    rest: float
+    push_start: int
+    push_points: int
+    pull_start: int
+    pull_points: int
+    unloading: float
+    residual: float
+    permanent_set: float
+    damping: float
+    longest_push: State = 0.0
+    longest_pull: State = 0.0
+    shortening: State = 0.0
+    force: State = 0.0
+    spring_force: State = 0.0
+    stored: State = 0.0
+
+    @staticmethod
+    @compiled
+    def forces(springs: Rows[VehicleSpring], now: Instant, load: Rows[Load], totals: Totals) -> None:
+        """Add the springs' and dampers' forces."""
+        curves = now.curves
+        for i in range(len(springs)):
+            row = springs[i]
+            first, second = row.first, row.second
+            x = now.pose[first].x - now.pose[second].x - row.rest
+            v = now.velocity[first].x - now.velocity[second].x
+            start, count = row.push_start, row.push_points
+            pushed = max(x, 0.0)
+            top = max(row.longest_push, pushed)
+            spring, stored = _side(curves, start, count, pushed, top, row)
+            pulls = row.pull_points > 0
+            longest = row.longest_pull
+            if pulls:
+                # The pulling side starts from the length that the shortening has left behind.
+                if row.residual > 0.0:
+                    length = row.permanent_set * top
+                else:
+                    length = max(top - _loading(curves, start, count, top) / row.unloading, 0.0)
+                y = length - x
+                if y > 0.0:
+                    longest = max(longest, y)
+                    pull, energy = _side(curves, row.pull_start, row.pull_points, y, longest, row)
+                    spring, stored = -pull, stored + energy
+            damper = row.damping * v
+            if not pulls:
+                damper = max(damper, -spring) if spring > 0.0 else 0.0
+            work = 0.5 * (spring + row.spring_force) * (x - row.shortening)
+            totals.dissipated += work - (stored - row.stored)
+            totals.stored += stored
+            totals.power += damper * v
+            force = spring + damper
+            load[first].x -= force
+            load[second].x += force
+            row.longest_push = top
+            row.longest_pull = longest
+            row.shortening = x
+            row.force = force
+            row.spring_force = spring
+            row.stored = stored

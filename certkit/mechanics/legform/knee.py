@@ -5,7 +5,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from certkit.mechanics.force_laws import BENDING, CABLES, CONDYLES, GUIDE
+from certkit.mechanics.force_laws.condyle_contact import CondyleContact
+from certkit.mechanics.force_laws.joint_spring import JointSpring
+from certkit.mechanics.force_laws.ligament_cable import LigamentCable
+from certkit.mechanics.force_laws.sliding_guide import SlidingGuide
 
 if TYPE_CHECKING:
     from certkit.definitions.legform import Knee, Legform
@@ -24,64 +27,64 @@ def join_knee(
     rows = {}
     for name, ligament in knee.ligaments.items():
         (ax, az), (bx, bz) = ligament.femur, ligament.tibia
-        rows[name] = assembly.add_row(
-            CABLES,
-            blocks,
-            {
-                "upper x": ax,
-                "upper z": az - upper,
-                "lower x": bx,
-                "lower z": bz - lower,
-                "length": math.hypot(ax - bx, az - bz),
-                "stiffness": ligament.stiffness,
-                "preload": ligament.preload,
-                "damping": ligament.damping,
-            },
+        rows[name] = assembly.add(
+            LigamentCable(
+                upper=blocks[0],
+                lower=blocks[1],
+                upper_x=ax,
+                upper_z=az - upper,
+                lower_x=bx,
+                lower_z=bz - lower,
+                length=math.hypot(ax - bx, az - bz),
+                stiffness=ligament.stiffness,
+                preload=ligament.preload,
+                damping=ligament.damping,
+            )
         )
     pressed, shear = resting_forces(knee)
     condyles = knee.condyles
     for side, (x, force) in enumerate(zip((-condyles.offset, condyles.offset), pressed, strict=True)):
-        row = assembly.add_row(
-            CONDYLES,
-            blocks,
-            {
-                "condyle x": x,
-                "condyle z": condyles.radius - upper,
-                "trough x": x,
-                # The preload has pressed the blocks together before the test.
-                "trough z": condyles.trough_radius + max(force, 0.0) / condyles.stiffness - lower,
-                "clearance": condyles.trough_radius - condyles.radius,
-                "radius": condyles.radius,
-                "stiffness": condyles.stiffness,
-                "damping": condyles.damping,
-                "friction": condyles.friction,
-                "tangential stiffness": TANGENTIAL * condyles.stiffness,
-            },
-        )
         held = min(max(shear[side], -condyles.friction * force), condyles.friction * force)
-        assembly.remember(CONDYLES, row, {"slip spring": held / (TANGENTIAL * condyles.stiffness)})
-    if knee.guide is not None:
-        assembly.add_row(
-            GUIDE,
-            blocks,
-            {
-                "upper x": knee.guide.offset,
-                "upper z": -upper,
-                "lower x": knee.guide.offset,
-                "free travel": knee.guide.free_travel,
-                "stiffness": knee.guide.stiffness,
-                "damping": knee.guide.damping,
-            },
+        assembly.add(
+            CondyleContact(
+                upper=blocks[0],
+                lower=blocks[1],
+                condyle_x=x,
+                condyle_z=condyles.radius - upper,
+                trough_x=x,
+                # The preload has pressed the blocks together before the test.
+                trough_z=condyles.trough_radius + max(force, 0.0) / condyles.stiffness - lower,
+                clearance=condyles.trough_radius - condyles.radius,
+                radius=condyles.radius,
+                stiffness=condyles.stiffness,
+                damping=condyles.damping,
+                friction=condyles.friction,
+                tangential_stiffness=TANGENTIAL * condyles.stiffness,
+                slip_spring=held / (TANGENTIAL * condyles.stiffness),
+            )
         )
-    row = assembly.add_row(
-        BENDING,
-        blocks,
-        {
-            "stiffness": knee.parallel_stiffness,
-            "damping": 0.0,
-            "cable angle": math.pi,
-            "cable stiffness": 0.0,
-        },
+    if knee.guide is not None:
+        assembly.add(
+            SlidingGuide(
+                upper=blocks[0],
+                lower=blocks[1],
+                upper_x=knee.guide.offset,
+                upper_z=-upper,
+                lower_x=knee.guide.offset,
+                free_travel=knee.guide.free_travel,
+                stiffness=knee.guide.stiffness,
+                damping=knee.guide.damping,
+            )
+        )
+    row = assembly.add(
+        JointSpring(
+            upper=blocks[0],
+            lower=blocks[1],
+            stiffness=knee.parallel_stiffness,
+            damping=0.0,
+            cable_angle=math.pi,
+            cable_stiffness=0.0,
+        )
     )
     return rows, row
 

@@ -6,7 +6,9 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from certkit.mechanics.force_laws import BENDING, CABLES, FLESH
+from certkit.mechanics.force_laws.flesh_suspension import FleshSuspension
+from certkit.mechanics.force_laws.joint_spring import JointSpring
+from certkit.mechanics.force_laws.ligament_cable import LigamentCable
 from certkit.mechanics.legform.knee import join_knee
 
 if TYPE_CHECKING:
@@ -39,9 +41,9 @@ class Leg:
     joints : tuple of Joint
         Rotational springs of the bones, from top to bottom; at a knee block's end with the block's stiffness.
     ligaments : dict of str to int
-        Rows of the cable law.
+        Rows of `LigamentCable`.
     knee_row : int
-        Row of the bending law between the knee blocks, -1 without a knee.
+        Row of `JointSpring` between the knee blocks, -1 without a knee.
     flesh : tuple of int
         Bodies of the flesh, empty where it is not fitted.
     """
@@ -71,7 +73,7 @@ class Leg:
 
 
 def add_leg(
-    assembly: Assembly, legform: Legform, segments: Sequence[Segment], *, flesh: bool, drag: float = 0.0
+    assembly: Assembly, legform: Legform, segments: Sequence[Segment], *, flesh: bool, damping: float = 0.0
 ) -> Leg:
     """Build the segments, their joints, the knee and, where fitted, the flesh."""
     counts: dict[str, int] = {}
@@ -84,7 +86,7 @@ def add_leg(
                 segment.mass,
                 segment.inertia,
                 (0.0, segment.centre, 0.0),
-                drag=drag,
+                damping=damping,
             )
         )
     joints: list[Joint] = []
@@ -113,37 +115,37 @@ def add_leg(
 
 def _add_joint(assembly: Assembly, bone: Bone, upper: int, lower: int, factor: float) -> int:
     stiffness = factor * bone.bending_stiffness * bone.segments / bone.length
-    return assembly.add_row(
-        BENDING,
-        (upper, lower),
-        {
-            "stiffness": stiffness,
-            "damping": stiffness * bone.damping_time,
-            "cable angle": bone.cable_angle,
-            "cable stiffness": bone.cable_stiffness,
-        },
+    return assembly.add(
+        JointSpring(
+            upper=upper,
+            lower=lower,
+            stiffness=stiffness,
+            damping=stiffness * bone.damping_time,
+            cable_angle=bone.cable_angle,
+            cable_stiffness=bone.cable_stiffness,
+        )
     )
 
 
 def _add_sleeve(assembly: Assembly, flesh: Flesh, upper: int, lower: int, curvature: float) -> None:
     """Let the sleeve bend beside a bone's joint, `curvature` (1/m) for an angle of one; no gauge feels it."""
     stiffness = curvature * (flesh.bending_stiffness or 0.0)
-    assembly.add_row(
-        BENDING,
-        (upper, lower),
-        {
-            "stiffness": stiffness,
-            "damping": stiffness * (flesh.damping_time or 0.0),
-            "cable angle": math.pi,
-            "cable stiffness": 0.0,
-        },
+    assembly.add(
+        JointSpring(
+            upper=upper,
+            lower=lower,
+            stiffness=stiffness,
+            damping=stiffness * (flesh.damping_time or 0.0),
+            cable_angle=math.pi,
+            cable_stiffness=0.0,
+        )
     )
 
 
 def _add_flesh(
     assembly: Assembly, legform: Legform, segments: Sequence[Segment], bodies: Sequence[int]
 ) -> tuple[int, ...]:
-    """Hang one mass on each segment, spread evenly over the leg's length, and tie neighbours together."""
+    """Put one mass on each segment, spread evenly over the leg's length, and tie neighbours together."""
     flesh = legform.flesh
     total = sum(segment.length for segment in segments)
     masses = []
@@ -153,24 +155,23 @@ def _add_flesh(
         height = (segment.top + segment.bottom) / 2
         body = assembly.add_body(f"flesh {i + 1}", mass, 0.0, (0.0, height, 0.0))
         across, along = 2 * math.pi * flesh.across, 2 * math.pi * flesh.along
-        assembly.add_row(
-            FLESH,
-            (bone, body),
-            {
-                "height": height - segment.centre,
-                "stiffness across": mass * across**2,
-                "stiffness along": mass * along**2,
-                "damping across": 2 * flesh.damping_ratio * mass * across,
-                "damping along": 2 * flesh.damping_ratio * mass * along,
-            },
+        assembly.add(
+            FleshSuspension(
+                bone=bone,
+                flesh=body,
+                height=height - segment.centre,
+                stiffness_across=mass * across**2,
+                stiffness_along=mass * along**2,
+                damping_across=2 * flesh.damping_ratio * mass * across,
+                damping_along=2 * flesh.damping_ratio * mass * along,
+            )
         )
         masses.append(body)
         heights.append(height)
     if flesh.tension > 0:
         for upper, lower, top, bottom in zip(masses, masses[1:], heights, heights[1:], strict=False):
-            ends = dict.fromkeys(("upper x", "upper z", "lower x", "lower z", "preload", "damping"), 0.0)
             length = top - bottom
-            assembly.add_row(
-                CABLES, (upper, lower), {**ends, "length": length, "stiffness": flesh.tension / length}
+            assembly.add(
+                LigamentCable(upper=upper, lower=lower, length=length, stiffness=flesh.tension / length)
             )
     return tuple(masses)

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.mechanics.force_laws import BOOKS
+from certkit.mechanics.force_laws import ENERGY_ACCOUNTS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.mechanics.force_laws.law import Floats
+    from certkit.mechanics.records import Floats
     from certkit.mechanics.solver.time_loop import Trajectory
 
 
@@ -52,14 +52,14 @@ class RunQuality:
 def judge(run: Trajectory, time_step: float, iterations: int) -> RunQuality:
     """Return the quality figures of a run."""
     stored = run.stored - run.stored[0]
-    spent = run.spent - run.spent[0]
+    spent = run.dissipated - run.dissipated[0]
     total = run.kinetic + stored.sum(axis=1) + spent.sum(axis=1)
     imbalance = total - total[0]
     # What was turned over: all books that took, or all that gave, whichever is larger.
     books = np.concatenate([run.kinetic[:, None] - run.kinetic[0], stored, spent], axis=1)
     turned = max(float(np.clip(books, 0, None).sum(axis=1).max()), float(run.kinetic[0]))
     energies = {"kinetic": run.kinetic}
-    for b, name in enumerate(BOOKS):
+    for b, name in enumerate(ENERGY_ACCOUNTS):
         for kind, book in (("stored", stored[:, b]), ("spent", spent[:, b])):
             if np.any(book):
                 energies[f"{name} {kind}"] = book

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.mechanics.force_laws import FRONT, SPRINGS
+from certkit.mechanics.force_laws.vehicle_front_contact import VehicleFrontContact
+from certkit.mechanics.force_laws.vehicle_spring import VehicleSpring
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from certkit.mechanics.fixtures.rig_assembly import Site
-    from certkit.mechanics.force_laws.law import Floats
+    from certkit.mechanics.records import Floats
     from certkit.mechanics.solver.time_loop import Trajectory
     from certkit.mechanics.solver.world import World
 
@@ -42,10 +43,10 @@ class FrontHistories:
 
 def front_probes(world: World, site: Site) -> dict[str, int]:
     """Return what to record of a front, by a name of its own: where each reading stands in the state pool."""
-    places = {f"strip {k}": world.place(FRONT, k, "force") for k in range(len(site.strips))}
+    places = {f"strip {k}": world.place(VehicleFrontContact, k, "force") for k in range(len(site.strips))}
     for k in range(len(site.springs)):
-        places[f"spring {k} shortening"] = world.place(SPRINGS, k, "shortening")
-        places[f"spring {k} force"] = world.place(SPRINGS, k, "force")
+        places[f"spring {k} shortening"] = world.place(VehicleSpring, k, "shortening")
+        places[f"spring {k} force"] = world.place(VehicleSpring, k, "force")
     return places
 
 

@@ -12,8 +12,8 @@ from certkit.mechanics.fixtures.rig_assembly import Outline, Site, box
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.mechanics.force_laws.law import Floats, Integers
     from certkit.mechanics.legform.leg import Leg
+    from certkit.mechanics.records import Floats, Integers
     from certkit.mechanics.solver.time_loop import Trajectory
 
 Kind = Literal["bone", "knee", "flesh", "rig", "ram", "vehicle", "mass"]

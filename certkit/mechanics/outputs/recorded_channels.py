@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.mechanics.fixtures.three_point_bending import middle
-from certkit.mechanics.force_laws import BENDING, CABLES, LOADING, SUPPORTS
+from certkit.mechanics.force_laws.joint_spring import JointSpring
+from certkit.mechanics.force_laws.ligament_cable import LigamentCable
+from certkit.mechanics.force_laws.loading_ram_force import LoadingRamForce
+from certkit.mechanics.force_laws.support_roller import SupportRoller
 from certkit.signals import CHANNELS, Channel
 
 if TYPE_CHECKING:
@@ -17,8 +20,8 @@ if TYPE_CHECKING:
 
     from certkit.definitions.legform import Gauges
     from certkit.mechanics.fixtures.rig_assembly import Site
-    from certkit.mechanics.force_laws.law import Floats
     from certkit.mechanics.legform.leg import Leg
+    from certkit.mechanics.records import Floats
     from certkit.mechanics.solver.time_loop import Trajectory
     from certkit.mechanics.solver.world import World
 
@@ -32,17 +35,17 @@ def stations(gauges: Gauges) -> dict[str, float]:
 
 def probes(world: World, leg: Leg, site: Site) -> dict[str, int]:
     """Return what to record, by a name of its own: where each reading stands in the state pool."""
-    places = {f"joint {joint.row}": world.place(BENDING, joint.row, "moment") for joint in leg.joints}
-    places |= {name: world.place(CABLES, row, "elongation") for name, row in leg.ligaments.items()}
+    places = {f"joint {joint.row}": world.place(JointSpring, joint.row, "moment") for joint in leg.joints}
+    places |= {name: world.place(LigamentCable, row, "elongation") for name, row in leg.ligaments.items()}
     if leg.knee_row >= 0:
-        places["knee bend"] = world.place(BENDING, leg.knee_row, "angle")
+        places["knee bend"] = world.place(JointSpring, leg.knee_row, "angle")
     if site.rig.loading_ram is not None:
         places |= {
-            "ram force": world.place(LOADING, 0, "force"),
-            "ram travel": world.place(LOADING, 0, "travel"),
+            "ram force": world.place(LoadingRamForce, 0, "force"),
+            "ram travel": world.place(LoadingRamForce, 0, "travel"),
         }
     if site.rig.supports is not None:
-        places |= {f"support {i}": world.place(SUPPORTS, i, "depth") for i in range(2)}
+        places |= {f"support {i}": world.place(SupportRoller, i, "depth") for i in range(2)}
     return places
 
 

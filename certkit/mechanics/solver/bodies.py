@@ -1,69 +1,125 @@
-"""What the loop does with the bodies themselves: carry them on, weigh them, measure them."""
+"""The bodies in a time step: prediction, weight and mass damping, kinetic energy, gaps of the pivots."""
 
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
-from certkit.mechanics.force_laws import DRAG, GRAVITY
-from certkit.mechanics.force_laws.law import ANGLE, COS, POWER, SIN, STORED, Floats, Integers, Scene, X, Z
-from certkit.mechanics.solver.compiling import compiled
+from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws import GRAVITY, MASS_DAMPING
 
-FASTEST = 1e3  # m/s or rad/s: a body beyond it has run away
+if TYPE_CHECKING:
+    from certkit.mechanics.force_laws.law import Instant, Load, Pose, Totals, Velocity
+    from certkit.mechanics.records import Floats, Rows
+    from certkit.mechanics.solver.kernel_arguments import BodyMotion
+    from certkit.mechanics.solver.world import Pivot
+
+FASTEST = 1e3
+"""m/s or rad/s: a body beyond it has run away."""
 
 
 @compiled
-def weigh(mass: Floats, drag: Floats, gravity: Floats, scene: Scene, load: Floats, ledger: Floats) -> None:
-    """Start each body's load with its weight and mass damping."""
-    pose, rate = scene.pose, scene.rate
+def add_weight_and_damping(
+    mass: Floats, damping: Floats, gravity: Floats, now: Instant, load: Rows[Load], totals: Rows[Totals]
+) -> None:
+    """Start each body's load with its weight m·g and its mass damping -m·α·v."""
     for i in range(mass.shape[0]):
-        m, damping = mass[i], mass[i] * drag[i]
-        load[i, 0] = m * gravity[0] - damping * rate[i, 0]
-        load[i, 1] = m * gravity[1] - damping * rate[i, 1]
-        load[i, 2] = 0.0
-        ledger[GRAVITY, STORED] -= m * (gravity[0] * pose[i, X] + gravity[1] * pose[i, Z])
-        ledger[DRAG, POWER] += damping * (rate[i, 0] * rate[i, 0] + rate[i, 1] * rate[i, 1])
+        m, rate = mass[i], mass[i] * damping[i]
+        pose, velocity, on_body = now.pose[i], now.velocity[i], load[i]
+        on_body.x = m * gravity[0] - rate * velocity.x
+        on_body.z = m * gravity[1] - rate * velocity.z
+        on_body.torque = 0.0
+        totals[GRAVITY].stored -= m * (gravity[0] * pose.x + gravity[1] * pose.z)
+        totals[MASS_DAMPING].power += rate * (velocity.x * velocity.x + velocity.z * velocity.z)
 
 
 @compiled
-def predict(buffer: Floats, share: float, step: float, pose: Floats, rate: Floats, move: Floats) -> bool:
-    """Carry the bodies in pymunk's `buffer` on by `step`; False when one of them has run away."""
+def predict(
+    motion: Rows[BodyMotion],
+    share: float,
+    step: float,
+    pose: Rows[Pose],
+    velocity: Rows[Velocity],
+    step_velocity: Rows[Velocity],
+) -> bool:
+    """Predict where the bodies are when the forces act; False when one of them has run away.
+
+    `cpSpaceStep` moves the bodies with the velocities they have and then changes the velocities by the
+    forces it was given. Forces from the positions just read would therefore be explicit Euler, which gains
+    energy without end. So they are evaluated at
+
+    - x + v·dt, the position at the end of the move that the same call makes: with velocities half a step
+      later this is the leapfrog scheme, second order and energy-keeping (Hairer, Lubich and Wanner,
+      Geometric Numerical Integration, 2006, section I.1.4);
+    - v* = v + s·(v - v_before), the velocity at that instant, for damping: v stands at the middle of the
+      step before, so s = ½ extrapolates it by half a step (s = 1 after the first step, which is half as
+      long; 0 in it).
+
+    Parameters
+    ----------
+    motion : shape (≥ bodies,)
+        As read from pymunk: positions, and v, half a step older than the forces to come.
+    share : float
+        s.
+    step : float
+        dt, s.
+    pose, velocity, step_velocity : shape (bodies + 1,)
+        Filled, except for the ground in the last row: the prediction, v* and v. `step_velocity` brings
+        v_before.
+    """
     sane = True
-    for i in range(pose.shape[0] - 1):
-        for k in range(3):
-            v = buffer[6 * i + 3 + k]
-            rate[i, k] = v + share * (v - move[i, k])
-            move[i, k] = v
-            sane = sane and abs(v) < FASTEST
-        pose[i, X] = buffer[6 * i] + step * move[i, 0]
-        pose[i, Z] = buffer[6 * i + 1] + step * move[i, 1]
-        angle = buffer[6 * i + 2] + step * move[i, 2]
-        pose[i, ANGLE] = angle
-        pose[i, COS] = math.cos(angle)
-        pose[i, SIN] = math.sin(angle)
+    for i in range(len(pose) - 1):
+        read, at, damped, moved = motion[i], pose[i], velocity[i], step_velocity[i]
+        v = read.velocity_x
+        damped.x = v + share * (v - moved.x)
+        moved.x = v
+        sane = sane and abs(v) < FASTEST
+        v = read.velocity_z
+        damped.z = v + share * (v - moved.z)
+        moved.z = v
+        sane = sane and abs(v) < FASTEST
+        v = read.angular_velocity
+        damped.angular = v + share * (v - moved.angular)
+        moved.angular = v
+        sane = sane and abs(v) < FASTEST
+        at.x = read.x + step * moved.x
+        at.z = read.z + step * moved.z
+        angle = read.angle + step * moved.angular
+        at.angle = angle
+        at.cos = math.cos(angle)
+        at.sin = math.sin(angle)
     return sane
 
 
 @compiled
-def widest_gap(pose: Floats, pivot: Integers, anchor: Floats) -> float:
-    """Return the largest distance between the two halves of a pivot."""
+def widest_gap(pose: Rows[Pose], pivots: Rows[Pivot]) -> float:
+    """Return the largest distance between the two halves of a pivot, m."""
     widest = 0.0
-    for i in range(pivot.shape[0]):
-        a, b = pivot[i, 0], pivot[i, 1]
-        dx = pose[a, X] + pose[a, COS] * anchor[i, 0] - pose[a, SIN] * anchor[i, 1]
-        dx -= pose[b, X] + pose[b, COS] * anchor[i, 2] - pose[b, SIN] * anchor[i, 3]
-        dz = pose[a, Z] + pose[a, SIN] * anchor[i, 0] + pose[a, COS] * anchor[i, 1]
-        dz -= pose[b, Z] + pose[b, SIN] * anchor[i, 2] + pose[b, COS] * anchor[i, 3]
+    for i in range(len(pivots)):
+        pivot = pivots[i]
+        a, b = pose[pivot.first], pose[pivot.second]
+        dx = a.x + a.cos * pivot.first_x - a.sin * pivot.first_z
+        dx -= b.x + b.cos * pivot.second_x - b.sin * pivot.second_z
+        dz = a.z + a.sin * pivot.first_x + a.cos * pivot.first_z
+        dz -= b.z + b.sin * pivot.second_x + b.cos * pivot.second_z
         widest = max(widest, math.sqrt(dx * dx + dz * dz))
     return widest
 
 
 @compiled
-def kinetic_energy(given: Floats, move: Floats, half: float, mass: Floats, inertia: Floats) -> float:
-    """Return the kinetic energy between two half steps: `move` before the instant, `given` after it."""
+def kinetic_energy(
+    motion: Rows[BodyMotion], before: Rows[Velocity], share: float, mass: Floats, inertia: Floats
+) -> float:
+    """Return Σ ½·m·v² + ½·J·ω² at an instant between two half steps, J.
+
+    v = v_before + share·(v_after - v_before), with `before` half a step earlier and `motion` half a step
+    later.
+    """
     total = 0.0
     for i in range(mass.shape[0]):
-        vx = move[i, 0] + half * (given[6 * i + 3] - move[i, 0])
-        vz = move[i, 1] + half * (given[6 * i + 4] - move[i, 1])
-        w = move[i, 2] + half * (given[6 * i + 5] - move[i, 2])
+        after, earlier = motion[i], before[i]
+        vx = earlier.x + share * (after.velocity_x - earlier.x)
+        vz = earlier.z + share * (after.velocity_z - earlier.z)
+        w = earlier.angular + share * (after.angular_velocity - earlier.angular)
         total += 0.5 * (mass[i] * (vx * vx + vz * vz) + inertia[i] * w * w)
     return total

@@ -12,19 +12,22 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, cast
 
-import numpy as np
 from llvmlite import ir
-from numba import extending, from_dtype
+from numba import extending
+from numba import from_dtype as numba_from_dtype
 from numba import types as numba_types
 from numba.np import arrayobj
 
-from certkit.mechanics.solver.kernel_arguments import KINDS, WORDS, Handover
+from certkit.mechanics.solver.kernel_arguments import KINDS, WORDS, KernelArguments
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    import numpy as np
+
 types = cast("Any", numba_types)
 arrays = cast("Any", arrayobj)
+from_dtype = cast("Any", numba_from_dtype)
 
 _ADDRESS = ir.IntType(64)
 
@@ -50,9 +53,9 @@ def _view(context: Any, builder: Any, kind: Any, data: Any, shape: list[Any]) ->
 
 
 @intrinsic
-def handed_over(typing: Any, address: Any) -> Any:
-    """Return the `Handover` whose block stands at `address`."""
-    kinds = [types.Array(from_dtype(np.dtype(code)), dimensions, "C") for code, dimensions in KINDS]
+def arguments_at(typing: Any, address: Any) -> Any:
+    """Return the `KernelArguments` whose block stands at `address`."""
+    kinds = [types.Array(from_dtype(kind), dimensions, "C") for kind, dimensions in KINDS]
 
     def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         block = builder.inttoptr(arguments[0], _ADDRESS.as_pointer())
@@ -65,19 +68,28 @@ def handed_over(typing: Any, address: Any) -> Any:
             views.append(_view(context, builder, kind, data, shape))
         return context.make_tuple(builder, signature.return_type, views)
 
-    return types.NamedTuple(kinds, Handover)(types.int64), code
+    return types.NamedTuple(kinds, KernelArguments)(types.int64), code
 
 
-@intrinsic
-def grid(typing: Any, pool: Any, offset: Any, rows: Any, columns: Any) -> Any:
-    """Return the `rows` × `columns` numbers from `offset` on as a table, which writes through to the pool."""
-    kind = types.Array(pool.dtype, 2, "C")
+def table_reader(record: np.dtype[np.void]) -> Any:
+    """Return what gives compiled code a table of records out of a pool of numbers.
 
-    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        flat = arrays.make_array(pool)(context, builder, value=arguments[0])
-        return _view(context, builder, kind, builder.gep(flat.data, [arguments[1]]), list(arguments[2:]))
+    `read(pool, start, rows)` is the `rows` records from place `start` of the pool on; writing to them
+    writes to the pool.
+    """
+    kind = types.Array(from_dtype(record), 1, "C")
 
-    return kind(pool, types.int64, types.int64, types.int64), code
+    @intrinsic
+    def read(typing: Any, pool: Any, start: Any, rows: Any) -> Any:
+        def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            flat = arrays.make_array(pool)(context, builder, value=arguments[0])
+            place = builder.gep(flat.data, [arguments[1]])
+            data = builder.bitcast(place, context.get_data_type(kind.dtype).as_pointer())
+            return _view(context, builder, kind, data, [arguments[2]])
+
+        return kind(pool, types.int64, types.int64), code
+
+    return read
 
 
 @intrinsic

@@ -1,8 +1,7 @@
 """The compiled time loop: read the bodies, evaluate all force laws, hand the forces to pymunk, step.
 
-`cpSpaceStep` moves bodies before it changes their speeds, so forces are evaluated where the bodies will be:
-that is the leapfrog scheme, second order and energy-keeping. Damping needs the speed at that same instant,
-which is extrapolated from the last two half steps.
+The scheme is leapfrog, see `certkit.mechanics.solver.bodies.predict`. The laws' part of the loop is composed
+from `certkit.mechanics.force_laws.LAWS`: this file knows none of them.
 
 This module is imported only to compile the loop; `solver.object_cache` loads what came of it. All
 memory comes from outside, and what numpy would say in one line is written out: it compiles in half the time.
@@ -10,240 +9,205 @@ memory comes from outside, and what numpy would say in one line is written out: 
 
 from __future__ import annotations
 
-from certkit.mechanics.force_laws import (
-    BENDING,
-    CABLES,
-    CONDYLES,
-    CRUSH,
-    CUSHION,
-    FLESH,
-    FRONT,
-    GUIDE,
-    LOADING,
-    NOSE,
-    POINTS,
-    SPRINGS,
-    SUPPORTS,
+from typing import TYPE_CHECKING, TypeAlias
+
+from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws import LAWS
+from certkit.mechanics.force_laws.law import Instant
+from certkit.mechanics.records import record_type
+from certkit.mechanics.solver.bodies import add_weight_and_damping, kinetic_energy, predict, widest_gap
+from certkit.mechanics.solver.intrinsics import (
+    arguments_at,
+    call_each,
+    call_impulse,
+    call_step,
+    table_reader,
 )
-from certkit.mechanics.force_laws.condyle_contact import press
-from certkit.mechanics.force_laws.flesh_compression import squeeze
-from certkit.mechanics.force_laws.flesh_suspension import hang
-from certkit.mechanics.force_laws.honeycomb import crush
-from certkit.mechanics.force_laws.joint_spring import bend
-from certkit.mechanics.force_laws.law import (
-    COS,
-    DEPTH,
-    FORCE,
-    POWER,
-    SPENT,
-    STORED,
-    Floats,
-    Integers,
-    Scene,
-)
-from certkit.mechanics.force_laws.ligament_cable import pull
-from certkit.mechanics.force_laws.loading_ram_force import push
-from certkit.mechanics.force_laws.ram_nose_contact import lean
-from certkit.mechanics.force_laws.sliding_guide import guide
-from certkit.mechanics.force_laws.support_roller import carry
-from certkit.mechanics.force_laws.vehicle_front_contact import slide
-from certkit.mechanics.force_laws.vehicle_spring import stretch
-from certkit.mechanics.solver.bodies import kinetic_energy, predict, weigh, widest_gap
-from certkit.mechanics.solver.compiling import compiled
-from certkit.mechanics.solver.intrinsics import call_each, call_impulse, call_step, grid, handed_over
-from certkit.mechanics.solver.kernel_arguments import FINISHED, RAN_AWAY, Handover, IndexTable
+from certkit.mechanics.solver.kernel_arguments import FINISHED, RAN_AWAY, KernelArguments
 
-Table = tuple[Integers, Floats, Floats]
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from certkit.mechanics.force_laws.law import ForceLaw, Load, Totals
+    from certkit.mechanics.records import Floats, Rows
+    from certkit.mechanics.solver.kernel_arguments import AccountFigures
+    from certkit.mechanics.solver.world import LawTable
+
+    AllLaws: TypeAlias = Callable[[Rows[LawTable], Floats, Instant, Rows[Load], Rows[Totals]], None]
 
 
 @compiled
-def table(at: Integers, index: Integers, number: Floats, state: Floats) -> Table:
-    """Cut a law's three tables out of the pools. A row of `layout`: rows, then offset and columns of each."""
-    return (
-        grid(index, at[1], at[0], at[2]),
-        grid(number, at[3], at[0], at[4]),
-        grid(state, at[5], at[0], at[6]),
-    )
+def _no_law(
+    layout: Rows[LawTable], tables: Floats, now: Instant, load: Rows[Load], totals: Rows[Totals]
+) -> None:
+    """Evaluate nothing: what the first law is added to."""
+
+
+def _and(before: AllLaws, law: type[ForceLaw], number: int) -> AllLaws:
+    """Return a function that evaluates the laws before, and then this one."""
+    table = table_reader(record_type(law))
+    forces = law.forces
+
+    @compiled
+    def evaluate(
+        layout: Rows[LawTable], tables: Floats, now: Instant, load: Rows[Load], totals: Rows[Totals]
+    ) -> None:
+        before(layout, tables, now, load, totals)
+        forces(table(tables, layout[number].start, layout[number].rows), now, load, totals[number])
+
+    return evaluate
+
+
+def _all_laws() -> AllLaws:
+    composed: AllLaws = _no_law
+    for number, law in enumerate(LAWS):
+        composed = _and(composed, law, number)
+    return composed
+
+
+evaluate_laws = _all_laws()
+"""Evaluate all force laws at an instant: it adds to `load` and `totals`, and changes the tables' states."""
 
 
 @compiled
-def act(tables: tuple[Table, ...], scene: Scene, load: Floats, ledger: Floats) -> None:
-    """Walk all force laws."""
-    bend(*tables[BENDING], scene, load, ledger[BENDING])
-    pull(*tables[CABLES], scene, load, ledger[CABLES])
-    press(*tables[CONDYLES], scene, load, ledger[CONDYLES])
-    hang(*tables[FLESH], scene, load, ledger[FLESH])
-    squeeze(*tables[CUSHION], scene, load, ledger[CUSHION])
-    crush(*tables[CRUSH], scene, load, ledger[CRUSH])
-    carry(*tables[SUPPORTS], scene, load, ledger[SUPPORTS])
-    push(*tables[LOADING], scene, load, ledger[LOADING])
-    lean(*tables[NOSE], scene, load, ledger[NOSE])
-    slide(*tables[FRONT], scene, load, ledger[FRONT])
-    stretch(*tables[SPRINGS], tables[POINTS][1], scene, load, ledger[SPRINGS])
-    guide(*tables[GUIDE], scene, load, ledger[GUIDE])
+def clear_totals(totals: Rows[Totals]) -> None:
+    """Set the totals of a step to zero; what was dissipated in sudden amounts goes on adding up."""
+    for a in range(len(totals)):
+        account = totals[a]
+        account.stored = 0.0
+        account.power = 0.0
+        account.force = 0.0
+        account.penetration = 0.0
 
 
 @compiled
-def tables_of(layout: IndexTable, index: Integers, number: Floats, state: Floats) -> tuple[Table, ...]:
-    """Cut out the tables of all laws, in their order."""
-    return (
-        table(layout[BENDING], index, number, state),
-        table(layout[CABLES], index, number, state),
-        table(layout[CONDYLES], index, number, state),
-        table(layout[FLESH], index, number, state),
-        table(layout[CUSHION], index, number, state),
-        table(layout[CRUSH], index, number, state),
-        table(layout[SUPPORTS], index, number, state),
-        table(layout[LOADING], index, number, state),
-        table(layout[NOSE], index, number, state),
-        table(layout[FRONT], index, number, state),
-        table(layout[POINTS], index, number, state),
-        table(layout[SPRINGS], index, number, state),
-        table(layout[GUIDE], index, number, state),
-    )
+def dissipate(totals: Rows[Totals], power: Floats, dissipated: Floats, half: float) -> None:
+    """Add what the last step dissipated, ∫P dt by the trapezoidal rule, and keep the power for the next."""
+    for a in range(len(totals)):
+        dissipated[a] += half * (power[a] + totals[a].power)
+        power[a] = totals[a].power
 
 
 @compiled
-def clear(ledger: Floats) -> None:
-    """Begin a step's books; only what has been spent in sudden amounts goes on."""
-    for b in range(ledger.shape[0]):
-        ledger[b, STORED] = ledger[b, POWER] = ledger[b, FORCE] = ledger[b, DEPTH] = 0.0
-
-
-@compiled
-def spend(ledger: Floats, power: Floats, spent: Floats, half: float) -> None:
-    """Add what the last step dissipated, by the trapezoidal rule, and remember the power."""
-    for b in range(ledger.shape[0]):
-        spent[b] += half * (power[b] + ledger[b, POWER])
-        power[b] = ledger[b, POWER]
-
-
-@compiled
-def hand_back(run: Handover) -> None:
-    """Give pymunk each body's force and torque; guided bodies take none along z."""
+def write_loads(run: KernelArguments) -> None:
+    """Put each body's force and torque where pymunk reads them; guided bodies take none along z."""
     for i in range(run.mass.shape[0]):
-        run.taken[3 * i] = run.load[i, 0]
-        run.taken[3 * i + 1] = run.load[i, 1] * (1.0 - run.guided[i])
-        run.taken[3 * i + 2] = run.load[i, 2]
+        run.body_load[i].x = run.load[i].x
+        run.body_load[i].z = run.load[i].z * (1.0 - run.guided[i])
+        run.body_load[i].torque = run.load[i].torque
 
 
 @compiled
-def add_up(ledger: Floats, spent: Floats, book: Floats) -> tuple[float, float]:
-    """Write a sample's books, stored and spent by law; return contact force and deepest penetration."""
+def add_up(totals: Rows[Totals], dissipated: Floats, accounts: Rows[AccountFigures]) -> tuple[float, float]:
+    """Write a sample's energies by account; return contact force (N) and deepest penetration (m)."""
     force = deepest = 0.0
-    for b in range(ledger.shape[0]):
-        book[b, 0] = ledger[b, STORED]
-        book[b, 1] = spent[b] + ledger[b, SPENT]
-        force += ledger[b, FORCE]
-        deepest = max(deepest, ledger[b, DEPTH])
+    for a in range(len(totals)):
+        accounts[a].stored = totals[a].stored
+        accounts[a].dissipated = dissipated[a] + totals[a].dissipated
+        force += totals[a].force
+        deepest = max(deepest, totals[a].penetration)
     return force, deepest
 
 
 @compiled
-def sample(run: Handover, at: int, length: float) -> None:
-    """Write down what is known of a sample before the step; the rest follows after it."""
-    entry = run.entry
+def record_sample(run: KernelArguments, at: int, length: float) -> None:
+    """Record what is known of a sample before the step; the rest follows after it."""
     for j in range(run.probe.shape[0]):
-        run.readings[at, j] = run.state_pool[run.probe[j]]
+        run.readings[at, j] = run.tables[run.probe[j]]
     for j in range(run.tracked.shape[0]):
-        for q in range(3):
-            run.tracks[at, j, q] = run.pose[run.tracked[j], q]
-    force, deepest = add_up(run.ledger, run.spent, run.books[at])
-    run.scalars[at, 1] = call_impulse(entry[7], entry[8]) / length if entry[8] != 0 else 0.0
-    run.scalars[at, 2] = force
-    run.worst[0] = max(run.worst[0], widest_gap(run.pose, run.pivot, run.anchor))
-    run.worst[1] = max(run.worst[1], deepest)
+        pose = run.pose[run.tracked[j]]
+        run.tracks[at, j, 0] = pose.x
+        run.tracks[at, j, 1] = pose.z
+        run.tracks[at, j, 2] = pose.angle
+    force, deepest = add_up(run.totals, run.dissipated, run.accounts[at])
+    pymunk, state = run.addresses[0], run.state[0]
+    hinge_force = call_impulse(pymunk.impulse, pymunk.hinge) / length if pymunk.hinge != 0 else 0.0
+    run.figures[at].hinge_force = hinge_force
+    run.figures[at].contact_force = force
+    state.joint_gap = max(state.joint_gap, widest_gap(run.pose, run.pivots))
+    state.penetration = max(state.penetration, deepest)
 
 
 @compiled
-def complete(run: Handover, at: int, share: float, length: float) -> None:
+def complete_sample(run: KernelArguments, at: int, share: float, length: float) -> None:
     """Complete a sample, whose instant lies between the half steps before and after it."""
-    given, move = run.given, run.move
-    run.scalars[at, 0] = kinetic_energy(given, move, share, run.mass, run.inertia)
+    motion, before = run.motion, run.step_velocity
+    run.figures[at].kinetic = kinetic_energy(motion, before, share, run.mass, run.inertia)
     for j in range(run.tracked.shape[0]):
         i = run.tracked[j]
-        run.accelerations[at, j, 0] = (given[6 * i + 3] - move[i, 0]) / length
-        run.accelerations[at, j, 1] = (given[6 * i + 4] - move[i, 1]) / length
+        run.accelerations[at, j, 0] = (motion[i].velocity_x - before[i].x) / length
+        run.accelerations[at, j, 1] = (motion[i].velocity_z - before[i].z) / length
 
 
 @compiled
-def shoot(run: Handover, at: int) -> None:
-    """Take a frame of the moving picture."""
+def record_frame(run: KernelArguments, at: int) -> None:
+    """Record the poses of all bodies."""
     for i in range(run.mass.shape[0]):
-        for q in range(3):
-            run.frames[at, i, q] = run.pose[i, q]
+        run.frames[at, i, 0] = run.pose[i].x
+        run.frames[at, i, 1] = run.pose[i].z
+        run.frames[at, i, 2] = run.pose[i].angle
 
 
-@compiled
-def conclude(outcome: Integers, steps: int, samples: int, shots: int, contact: int) -> None:
-    """Write the outcome down."""
-    outcome[0] = steps
-    outcome[1] = samples
-    outcome[2] = shots
-    outcome[3] = contact
-
-
-def march(address: int) -> int:
-    """March until the plan is fulfilled.
+def time_loop(address: int) -> int:
+    """Step until the plan is fulfilled.
 
     Parameters
     ----------
     address : int
-        Of the block of a `Handover`.
+        Of the block of `KernelArguments`.
 
     Returns
     -------
     int
-        FINISHED or RAN_AWAY; all else is in the handover's arrays.
+        FINISHED or RAN_AWAY; all else is in the arrays.
     """
-    run: Handover = handed_over(address)
-    tables = tables_of(run.layout, run.index_pool, run.number_pool, run.state_pool)
-    entry, plan, ledger = run.entry, run.plan, run.ledger
-    bodies, step = run.mass.shape[0], run.step[0]
-    most, stride, frame_stride, trigger, after = plan[0], plan[1], plan[2], plan[3], plan[4]
-    contact = 0 if trigger < 0 else -1
-    end = after if trigger < 0 else most
-    samples = shots = 0
+    run: KernelArguments = arguments_at(address)
+    pymunk, plan, state = run.addresses[0], run.plan[0], run.state[0]
+    bodies, step = run.mass.shape[0], plan.length
+    contact = 0 if plan.trigger < 0 else -1
+    end = plan.after if plan.trigger < 0 else plan.most
+    samples = frames = 0
     pending = False
-    length = 0.5 * step
-    run.pose[bodies, COS] = 1.0
+    length = 0.5 * step  # bodies start half a step before time zero
+    run.pose[bodies].cos = 1.0
     status = FINISHED
     k = 0
     while True:
-        run.given_head[0] = 0
-        call_each(entry[1], entry[4], entry[2], entry[5])
+        run.read_counter[0] = 0
+        call_each(pymunk.each_body, pymunk.space, pymunk.read_body, pymunk.read_request)
         if pending:
-            complete(run, samples, 0.5 if k > 1 else 0.0, length)
+            complete_sample(run, samples, 0.5 if k > 1 else 0.0, length)
             samples += 1
             pending = False
-        if k > end or k > most or samples == run.readings.shape[0]:
+        if k > end or k > plan.most or samples == run.readings.shape[0]:
             break
         if k == 1:
             length = step
         share = 0.0 if k == 0 else (1.0 if k == 1 else 0.5)
-        if not predict(run.given, share, length, run.pose, run.rate, run.move):
+        if not predict(run.motion, share, length, run.pose, run.velocity, run.step_velocity):
             status = RAN_AWAY
             break
-        clear(ledger)
-        scene = Scene(
-            run.pose, run.rate, run.move, run.outline_body, run.outline, k * step, length, run.schedule
-        )
-        weigh(run.mass, run.drag, run.gravity, scene, run.load, ledger)
-        act(tables, scene, run.load, ledger)
-        spend(ledger, run.power, run.spent, 0.5 * step if k > 0 else 0.0)
-        hand_back(run)
-        run.taken_head[0] = 0
-        call_each(entry[1], entry[4], entry[3], entry[6])
-        call_step(entry[0], entry[4], length)
-        if contact < 0 and ledger[trigger, FORCE] > 0.0:
+        clear_totals(run.totals)
+        now = Instant(run.pose, run.velocity, run.step_velocity, run.outline, run.curves, k * step, length)
+        add_weight_and_damping(run.mass, run.damping, run.gravity, now, run.load, run.totals)
+        evaluate_laws(run.layout, run.tables, now, run.load, run.totals)
+        dissipate(run.totals, run.power, run.dissipated, 0.5 * step if k > 0 else 0.0)
+        write_loads(run)
+        run.write_counter[0] = 0
+        call_each(pymunk.each_body, pymunk.space, pymunk.write_body, pymunk.write_request)
+        call_step(pymunk.step, pymunk.space, length)
+        if contact < 0 and run.totals[plan.trigger].force > 0.0:
             contact = k
-            end = k + after
-        if k % stride == 0:
-            sample(run, samples, length)
+            end = k + plan.after
+        if k % plan.sample == 0:
+            record_sample(run, samples, length)
             pending = True
-        if k % frame_stride == 0 and shots < run.frames.shape[0]:
-            shoot(run, shots)
-            shots += 1
+        if k % plan.frame == 0 and frames < run.frames.shape[0]:
+            record_frame(run, frames)
+            frames += 1
         k += 1
-    conclude(run.outcome, k, samples, shots, contact)
+    state.steps = k
+    state.samples = samples
+    state.frames = frames
+    state.contact = contact
     return status

@@ -21,16 +21,16 @@ from llvmlite import binding as llvm
 
 from certkit.errors import RunError
 from certkit.files import write_whole
-from certkit.mechanics.solver.kernel_arguments import Handover, block
+from certkit.mechanics.solver.kernel_arguments import KernelArguments, block
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
 Entry: TypeAlias = "Callable[[int], tuple[int, int]]"
-"""The loop as machine code: from the address of a `Handover`'s block to an error code and the status."""
+"""The loop as machine code: from the address of the arguments' block to an error code and the status."""
 
 FOLDER = Path(__file__).parents[1]
-SOURCES = ("solver/*.py", "force_laws/*.py")
+SOURCES = ("compiling.py", "records.py", "solver/*.py", "force_laws/*.py")
 
 C_LIBRARY = frozenset(
     {"acos", "asin", "atan", "atan2", "cos", "exp", "log", "pow", "sin", "sincos", "tan", "tanh"}
@@ -46,8 +46,8 @@ class Code(NamedTuple):
 
 
 @cache
-def loop() -> Callable[[Handover], int]:
-    """Return the compiled loop, which takes a `Handover` and returns FINISHED or RAN_AWAY.
+def loop() -> Callable[[KernelArguments], int]:
+    """Return the compiled time loop, which takes `KernelArguments` and returns FINISHED or RAN_AWAY.
 
     Raises
     ------
@@ -65,14 +65,14 @@ def loop() -> Callable[[Handover], int]:
             _keep(file, code)
     entry = (by_llvm(code) if code else None) or by_numba()
 
-    def march(run: Handover) -> int:
+    def run_loop(run: KernelArguments) -> int:
         words = block(run)
         status, outcome = entry(words.ctypes.data)
         if status:
             raise RunError(f"the compiled loop stopped with code {status}; please report this fault")
         return outcome
 
-    return march
+    return run_loop
 
 
 def cache_folder() -> Path:
@@ -93,10 +93,10 @@ def compile_loop() -> Code | None:
     """Compile with numba; None where the code needs more than llvmlite and the C library to run."""
     from numba import types  # noqa: PLC0415  # 0.7 s that a warm run does not pay
 
-    from certkit.mechanics.solver.compiling import lean  # noqa: PLC0415  # likewise
-    from certkit.mechanics.solver.kernel import march  # noqa: PLC0415  # likewise
+    from certkit.mechanics.compiling import numba_compiled  # noqa: PLC0415  # likewise
+    from certkit.mechanics.solver.kernel import time_loop  # noqa: PLC0415  # likewise
 
-    dispatcher = lean(march)
+    dispatcher = numba_compiled(time_loop)
     dispatcher.compile((types.int64,))
     result = dispatcher.overloads[types.int64,]
     library, name = result.library, result.fndesc.llvm_func_name
@@ -137,9 +137,9 @@ def by_numba() -> Entry:
     """Compile for use in this process, by numba's own way in."""
     from numba import njit  # noqa: PLC0415  # as above
 
-    from certkit.mechanics.solver.kernel import march  # noqa: PLC0415  # likewise
+    from certkit.mechanics.solver.kernel import time_loop  # noqa: PLC0415  # likewise
 
-    compiled = njit("int64(int64)", error_model="numpy")(march)
+    compiled = njit("int64(int64)", error_model="numpy")(time_loop)
     return lambda address: (0, int(compiled(address)))
 
 

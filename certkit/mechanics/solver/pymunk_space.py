@@ -14,9 +14,13 @@ from pymunk import batch
 from pymunk._chipmunk_cffi import ffi, lib
 
 from certkit.errors import RunError
+from certkit.mechanics.records import table_of
+from certkit.mechanics.solver.kernel_arguments import PymunkAddresses
 
 if TYPE_CHECKING:
-    from certkit.mechanics.force_laws.law import Floats, Heads, Integers
+    from numpy.typing import NDArray
+
+    from certkit.mechanics.records import Floats, Structured
     from certkit.mechanics.solver.world import World
 
 ITERATIONS = 8
@@ -54,7 +58,7 @@ def build_space(world: World, step: float, iterations: int = ITERATIONS) -> pymu
         bodies.append(body)
     space.add(*bodies)
     every = [*bodies, space.static_body]
-    for (a, b), (ax, az, bx, bz) in zip(world.pivot.tolist(), world.anchor.tolist(), strict=True):
+    for a, b, ax, az, bx, bz in world.pivots.tolist():
         joint = pymunk.PivotJoint(every[a], every[b], (ax, az), (bx, bz))
         joint.error_bias = 1e-300  # corrected at 691/s; the default hardly corrects at these steps
         space.add(joint)
@@ -68,57 +72,55 @@ def build_space(world: World, step: float, iterations: int = ITERATIONS) -> pymu
 
 
 @dataclass(frozen=True)
-class Gateway:
+class SpaceMemory:
     """Addresses and memory for the compiled loop. Keeps alive what they point into.
 
     Parameters
     ----------
-    entry : ndarray of int64, shape (9,)
-        See `certkit.mechanics.solver.kernel_arguments.Handover`.
-    counters : two ndarrays of int32, shape (2,)
-        Heads (fill count, capacity) of the get and the set buffer, seen in place.
-    given, taken : ndarray
-        Memory of both.
+    addresses : ndarray of PymunkAddresses, shape (1,)
+    read_counter, write_counter : ndarray of int32, shape (2,)
+        Fill count and capacity of the reading and the writing buffer, seen in place.
+    motion, load : ndarray, shape (6·rows,) and (3·rows,)
+        Memory of both buffers: x, z, angle and velocities of each body; force and torque of each.
     """
 
-    entry: Integers
-    counters: Heads
-    given: Floats
-    taken: Floats
+    addresses: Structured
+    read_counter: NDArray[np.int32]
+    write_counter: NDArray[np.int32]
+    motion: Floats
+    load: Floats
     keep: tuple[object, ...]
 
 
-def open_gateway(space: pymunk.Space, world: World) -> Gateway:
-    """Open the way between compiled code and a space."""
+def share_memory(space: pymunk.Space, world: World) -> SpaceMemory:
+    """Give compiled code and a space common memory."""
     rows = len(world.names) + SPARE
-    given, taken = np.zeros(6 * rows), np.zeros(3 * rows)
+    motion, load = np.zeros(6 * rows), np.zeros(3 * rows)
     buffers = batch.Buffer(), batch.Buffer()
-    data = []
-    for buffer, memory, fields in zip(buffers, (given, taken), (GET, SET), strict=True):
+    requests = []
+    for buffer, memory, wanted in zip(buffers, (motion, load), (GET, SET), strict=True):
         buffer.set_float_buf(memory)
         request = ffi.new("pmBatchedData *")
-        request.fields = fields.value
+        request.fields = wanted.value
         request.floatArray = buffer._float_arr
         request.intArray = buffer._int_arr
-        data.append(request)
+        requests.append(request)
     first, second = (np.frombuffer(ffi.buffer(b._float_arr, 8), dtype=np.int32) for b in buffers)
 
     def address(thing: object) -> int:
         return int(ffi.cast("intptr_t", thing))
 
     hinge = list(space.constraints)[world.hinge]._constraint if world.hinge >= 0 else ffi.NULL
-    entry = np.array(
-        [
-            address(ffi.addressof(lib, "cpSpaceStep")),
-            address(ffi.addressof(lib, "cpSpaceEachBody")),
-            address(ffi.addressof(lib, "pmSpaceBodyGetIteratorFuncBatched")),
-            address(ffi.addressof(lib, "pmSpaceBodySetIteratorFuncBatched")),
-            address(space._space),
-            address(data[0]),
-            address(data[1]),
-            address(ffi.addressof(lib, "cpConstraintGetImpulse")),
-            address(hinge),
-        ],
-        dtype=np.int64,
+    addresses = PymunkAddresses(
+        step=address(ffi.addressof(lib, "cpSpaceStep")),
+        each_body=address(ffi.addressof(lib, "cpSpaceEachBody")),
+        read_body=address(ffi.addressof(lib, "pmSpaceBodyGetIteratorFuncBatched")),
+        write_body=address(ffi.addressof(lib, "pmSpaceBodySetIteratorFuncBatched")),
+        space=address(space._space),
+        read_request=address(requests[0]),
+        write_request=address(requests[1]),
+        impulse=address(ffi.addressof(lib, "cpConstraintGetImpulse")),
+        hinge=address(hinge),
     )
-    return Gateway(entry, (first, second), given, taken, (space, buffers, tuple(data)))
+    kept = (space, buffers, tuple(requests))
+    return SpaceMemory(table_of(PymunkAddresses, [addresses]), first, second, motion, load, kept)

@@ -9,15 +9,26 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import RunError
-from certkit.mechanics.force_laws import BOOKS
-from certkit.mechanics.force_laws.law import LEDGER, Floats
-from certkit.mechanics.solver.kernel_arguments import RAN_AWAY, Handover
+from certkit.mechanics.force_laws import ENERGY_ACCOUNTS, LAWS
+from certkit.mechanics.force_laws.law import Load, Pose, Totals, Velocity
+from certkit.mechanics.records import blank, record_type, table_of
+from certkit.mechanics.solver.kernel_arguments import (
+    RAN_AWAY,
+    AccountFigures,
+    BodyMotion,
+    KernelArguments,
+    RunState,
+    SampleFigures,
+    StepPlan,
+)
 from certkit.mechanics.solver.object_cache import loop
-from certkit.mechanics.solver.pymunk_space import ITERATIONS, build_space, open_gateway
+from certkit.mechanics.solver.pymunk_space import ITERATIONS, build_space, share_memory
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from certkit.mechanics.force_laws.law import ForceLaw
+    from certkit.mechanics.records import Floats
     from certkit.mechanics.solver.world import World
 
 
@@ -34,9 +45,9 @@ class Plan:
     longest : float
         Seconds after the start at which the run ends in any case.
     sample, frame : int
-        Steps from one sample, and from one frame of the moving picture, to the next.
-    trigger : int
-        Law whose force marks first contact; -1: contact is at the start.
+        Steps from one sample, and from one frame of the recorded motion, to the next.
+    trigger : type of ForceLaw, optional
+        Law whose force marks first contact; without one, contact is at the start.
     iterations : int
         Of pymunk's constraint solver.
     """
@@ -46,7 +57,7 @@ class Plan:
     longest: float
     sample: int = 1
     frame: int = 50
-    trigger: int = -1
+    trigger: type[ForceLaw] | None = None
     iterations: int = ITERATIONS
 
 
@@ -59,12 +70,14 @@ class Trajectory:
     time : ndarray, shape (s,)
         Seconds from the start.
     contact : float
-        When first contact came.
+        When first contact came, s from the start.
     readings : ndarray, shape (s, probes)
     tracks, accelerations : ndarray, shape (s, tracked, 3) and (s, tracked, 2)
-    stored, spent : ndarray, shape (s, books)
-        Energy stored and dissipated by law; see `certkit.mechanics.force_laws.BOOKS`.
+        x, z, angle; along x and z, m/s².
+    stored, dissipated : ndarray, shape (s, accounts)
+        Energy stored, and dissipated so far, J; see `certkit.mechanics.force_laws.ENERGY_ACCOUNTS`.
     kinetic, hinge_force, contact_force : ndarray, shape (s,)
+        J and N.
     frame_time, frames : ndarray, shape (f,) and (f, bodies, 3)
     joint_gap, penetration : float
         Largest of the run, m.
@@ -79,7 +92,7 @@ class Trajectory:
     tracks: Floats
     accelerations: Floats
     stored: Floats
-    spent: Floats
+    dissipated: Floats
     kinetic: Floats
     hinge_force: Floats
     contact_force: Floats
@@ -92,7 +105,7 @@ class Trajectory:
 
 
 MOST_STEPS, MOST_SAMPLES = 10_000_000, 1_000_000
-"""A run beyond them is a slip of the pen, and would fill the memory or the day."""
+"""More is a mistake in the procedure: it would take hours, or fill the memory."""
 
 
 def _check(plan: Plan) -> None:
@@ -112,14 +125,14 @@ def _check(plan: Plan) -> None:
 def run_world(
     world: World, plan: Plan, probes: Sequence[int] = (), tracked: Sequence[int] = ()
 ) -> Trajectory:
-    """March a world through its plan.
+    """Simulate a world as planned.
 
     Parameters
     ----------
     world : World
     plan : Plan
     probes : sequence of int
-        Places in the state pool to record (`World.place`).
+        States of law rows to record at every sample: places by `World.place`.
     tracked : sequence of int
         Bodies whose pose and acceleration are recorded at every sample.
 
@@ -128,82 +141,85 @@ def run_world(
     RunError
         When a body runs away or never touches what it should, or the plan is no plan.
     """
-    bodies, laws = len(world.names), len(BOOKS)
     _check(plan)
-    most = round((plan.longest if plan.trigger >= 0 else plan.until) / plan.step)
-    after = round(plan.until / plan.step)
-    samples, shots = most // plan.sample + 1, most // plan.frame + 1
+    most = round((plan.until if plan.trigger is None else plan.longest) / plan.step)
+    samples, frames = most // plan.sample + 1, most // plan.frame + 1
     space = build_space(world, plan.step, plan.iterations)
-    gate = open_gateway(space, world)
-    run = Handover(
-        entry=gate.entry,
-        given_head=gate.counters[0],
-        taken_head=gate.counters[1],
-        given=gate.given,
-        taken=gate.taken,
+    shared = share_memory(space, world)
+    bodies, accounts = len(world.names), len(ENERGY_ACCOUNTS)
+    steps = StepPlan(
+        most=most,
+        sample=plan.sample,
+        frame=plan.frame,
+        trigger=-1 if plan.trigger is None else LAWS.index(plan.trigger),
+        after=round(plan.until / plan.step),
+        length=plan.step,
+    )
+    run = KernelArguments(
+        addresses=shared.addresses,
+        read_counter=shared.read_counter,
+        write_counter=shared.write_counter,
+        motion=shared.motion.view(record_type(BodyMotion)),
+        body_load=shared.load.view(record_type(Load)),
         mass=world.mass,
         inertia=world.inertia,
         guided=world.guided,
-        drag=world.drag,
+        damping=world.damping,
         gravity=world.gravity,
-        outline_body=world.outline_body,
         outline=world.outline,
+        curves=world.curves,
+        pivots=world.pivots,
         layout=world.layout,
-        index_pool=world.index,
-        number_pool=world.number,
-        state_pool=world.state.copy(),
-        pivot=world.pivot,
-        anchor=world.anchor,
-        schedule=world.schedule,
-        step=np.array([plan.step]),
-        plan=np.array([most, plan.sample, plan.frame, plan.trigger, after], dtype=np.int64),
+        tables=world.tables.copy(),
+        plan=table_of(StepPlan, [steps]),
+        state=blank(RunState, 1),
         probe=np.array(probes, dtype=np.int64),
         tracked=np.array(tracked, dtype=np.int64),
-        pose=np.zeros((bodies + 1, 5)),
-        rate=np.zeros((bodies + 1, 3)),
-        move=np.zeros((bodies + 1, 3)),
-        load=np.zeros((bodies + 1, 3)),
-        ledger=np.zeros((laws, LEDGER)),
-        power=np.zeros(laws),
-        spent=np.zeros(laws),
+        pose=blank(Pose, bodies + 1),
+        velocity=blank(Velocity, bodies + 1),
+        step_velocity=blank(Velocity, bodies + 1),
+        load=blank(Load, bodies + 1),
+        totals=blank(Totals, accounts),
+        power=np.zeros(accounts),
+        dissipated=np.zeros(accounts),
         readings=np.zeros((samples, len(probes))),
         tracks=np.zeros((samples, len(tracked), 3)),
         accelerations=np.zeros((samples, len(tracked), 2)),
-        books=np.zeros((samples, laws, 2)),
-        scalars=np.zeros((samples, 3)),
-        frames=np.zeros((shots, bodies, 3)),
-        worst=np.zeros(2),
-        outcome=np.zeros(4, dtype=np.int64),
+        accounts=blank(AccountFigures, samples, accounts),
+        figures=blank(SampleFigures, samples),
+        frames=np.zeros((frames, bodies, 3)),
     )
-    march = loop()
+    time_loop = loop()
     started = time.perf_counter()
-    status = march(run)
+    status = time_loop(run)
     seconds = time.perf_counter() - started
-    steps, filled, taken, contact = run.outcome.tolist()
+    state = RunState(*run.state[0].tolist())
     if status == RAN_AWAY:
         raise RunError(
-            f"the simulation ran away after {steps * plan.step * 1e3:.3f} ms: a spring, damper or contact is "
-            f"too stiff for a time step of {plan.step:g} s; try half of it, or look at what was changed last"
+            f"the simulation ran away after {state.steps * plan.step * 1e3:.3f} ms: a spring, damper or "
+            f"contact is too stiff for a time step of {plan.step:g} s; try half of it, or look at what was "
+            "changed last"
         )
-    if contact < 0:
+    if state.contact < 0:
         raise RunError(
             f"nothing was touched within {plan.longest:g} s; check the release and the place of the obstacle"
         )
+    filled, taken = state.samples, state.frames
     return Trajectory(
-        time=np.arange(filled) * (plan.step * plan.sample),
-        contact=contact * plan.step,
+        time=np.arange(filled, dtype=np.float64) * (plan.step * plan.sample),
+        contact=state.contact * plan.step,
         readings=run.readings[:filled],
         tracks=run.tracks[:filled],
         accelerations=run.accelerations[:filled],
-        stored=run.books[:filled, :, 0],
-        spent=run.books[:filled, :, 1],
-        kinetic=run.scalars[:filled, 0],
-        hinge_force=run.scalars[:filled, 1],
-        contact_force=run.scalars[:filled, 2],
-        frame_time=np.arange(taken) * (plan.step * plan.frame),
+        stored=run.accounts["stored"][:filled],
+        dissipated=run.accounts["dissipated"][:filled],
+        kinetic=run.figures["kinetic"][:filled],
+        hinge_force=run.figures["hinge_force"][:filled],
+        contact_force=run.figures["contact_force"][:filled],
+        frame_time=np.arange(taken, dtype=np.float64) * (plan.step * plan.frame),
         frames=run.frames[:taken],
-        joint_gap=float(run.worst[0]),
-        penetration=float(run.worst[1]),
-        steps=steps,
+        joint_gap=state.joint_gap,
+        penetration=state.penetration,
+        steps=state.steps,
         seconds=seconds,
     )

@@ -1,4 +1,4 @@
-"""A planar world as flat arrays, and the builder that assembles it. Knows neither legs nor rigs."""
+"""A planar world as tables, and the builder that assembles it. Knows neither legs nor rigs."""
 
 from __future__ import annotations
 
@@ -10,16 +10,38 @@ import numpy as np
 
 from certkit.errors import RunError
 from certkit.mechanics.force_laws import LAWS
+from certkit.mechanics.force_laws.law import CurvePoint, ForceLaw, OutlinePiece
+from certkit.mechanics.records import WORD, Record, body_fields, record_type, table_of
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
-    from certkit.mechanics.force_laws.law import Floats, Integers
+    from certkit.mechanics.records import Floats, Structured
 
 GROUND = -1
 """Stands for the ground wherever a body is named."""
+
+
+@dataclass
+class Pivot(Record):
+    """A point that two bodies share, in each body's frame from its centre of gravity, m."""
+
+    first: int
+    second: int
+    first_x: float
+    first_z: float
+    second_x: float
+    second_z: float
+
+
+@dataclass
+class LawTable(Record):
+    """Where a law's table stands in a world's `tables`: number of rows, and place of the first."""
+
+    rows: int
+    start: int
 
 
 @dataclass(frozen=True)
@@ -30,19 +52,20 @@ class World:
     ----------
     names : tuple of str
         One a body.
-    mass, inertia, guided, drag : ndarray, shape (n,)
-        Inertia 0 stands for a point mass; a guided body moves along x only; drag is mass damping in 1/s.
+    mass, inertia, guided, damping : ndarray, shape (n,)
+        Inertia 0 stands for a point mass; a guided body moves along x only; damping is mass damping in 1/s.
     pose, speed : ndarray, shape (n, 3)
         x, z, angle at time zero, and their rates.
-    pivot, anchor : ndarray, shape (m, 2) and (m, 4)
-        Bodies that share a point (n: the ground), and that point in each body's frame.
-    outline_body, outline : ndarray
-        See `certkit.mechanics.force_laws.law.Scene`.
-    layout, index, number, state : ndarray
-        Tables of all laws in pools; see `certkit.mechanics.solver.kernel.table`.
+    pivots : ndarray of Pivot, shape (m,)
+        Body n is the ground.
+    outline : ndarray of OutlinePiece, shape (p,)
+        The leg's surface, from top to bottom.
+    curves : ndarray of CurvePoint, shape (c,)
+        Points of all piecewise-linear curves that laws refer to.
+    layout : ndarray of LawTable, shape (laws,)
+    tables : ndarray, shape (t,)
+        Tables of all laws, one after another, as plain numbers: see `table`.
     gravity : ndarray, shape (2,)
-    schedule : ndarray, shape (k, 2)
-        Time and force of the loading ram.
     hinge : int
         Pivot whose force is recorded, -1 for none.
     """
@@ -51,29 +74,32 @@ class World:
     mass: Floats
     inertia: Floats
     guided: Floats
-    drag: Floats
+    damping: Floats
     pose: Floats
     speed: Floats
-    pivot: Integers
-    anchor: Floats
-    outline_body: Integers
-    outline: Floats
-    layout: Integers
-    index: Integers
-    number: Floats
-    state: Floats
+    pivots: Structured
+    outline: Structured
+    curves: Structured
+    layout: Structured
+    tables: Floats
     gravity: Floats
-    schedule: Floats
     hinge: int
 
     def body(self, name: str) -> int:
         """Return the number of a body by its name."""
         return self.names.index(name)
 
-    def place(self, law: int, row: int, reading: str) -> int:
-        """Return where a row's reading stands in the state pool."""
-        columns = LAWS[law].states
-        return int(self.layout[law, 5]) + row * len(columns) + columns.index(reading)
+    def table(self, law: type[ForceLaw]) -> Structured:
+        """Return a law's table, shape (rows,): a view, which writes through to `tables`."""
+        rows, start = self.layout[LAWS.index(law)].tolist()
+        kind = record_type(law)
+        return self.tables[start : start + rows * kind.itemsize // WORD].view(kind)
+
+    def place(self, law: type[ForceLaw], row: int, state: str) -> int:
+        """Return where a state of a law's row stands in `tables`, to record it."""
+        kind = record_type(law)
+        names = kind.names or ()
+        return int(self.layout[LAWS.index(law)]["start"]) + row * len(names) + names.index(state)
 
 
 @dataclass
@@ -81,19 +107,15 @@ class Assembly:
     """Collects bodies, pivots and law rows, then turns them into a `World`."""
 
     gravity: tuple[float, float] = (0.0, 0.0)
-    schedule: Sequence[tuple[float, float]] = ((0.0, 0.0),)
     hinge: int = -1
     _names: list[str] = field(default_factory=list)
     _bodies: list[tuple[float, float, float, float]] = field(default_factory=list)
     _pose: list[tuple[float, float, float]] = field(default_factory=list)
     _speed: list[tuple[float, float, float]] = field(default_factory=list)
-    _pivots: list[tuple[int, int, float, float, float, float]] = field(default_factory=list)
-    _outline: list[tuple[int, float, float, float, float]] = field(default_factory=list)
-    _rows: list[list[tuple[tuple[int, ...], tuple[float, ...]]]] = field(
-        default_factory=lambda: [[] for _ in LAWS]
-    )
-
-    _memory: list[tuple[int, int, dict[str, float]]] = field(default_factory=list)
+    _pivots: list[Pivot] = field(default_factory=list)
+    _outline: list[OutlinePiece] = field(default_factory=list)
+    _curves: list[CurvePoint] = field(default_factory=list)
+    _rows: dict[type[ForceLaw], list[ForceLaw]] = field(default_factory=lambda: {law: [] for law in LAWS})
 
     def add_body(  # a body has that many properties
         self,
@@ -104,7 +126,7 @@ class Assembly:
         *,
         speed: tuple[float, float, float] = (0.0, 0.0, 0.0),
         guided: bool = False,
-        drag: float = 0.0,
+        damping: float = 0.0,
     ) -> int:
         """Add a body and return its number. Inertia 0 makes a point mass.
 
@@ -121,7 +143,7 @@ class Assembly:
                 "check its mass and lengths"
             )
         self._names.append(name)
-        self._bodies.append((mass, inertia, float(guided), drag))
+        self._bodies.append((mass, inertia, float(guided), damping))
         self._pose.append(pose)
         self._speed.append(speed)
         return len(self._names) - 1
@@ -140,28 +162,23 @@ class Assembly:
 
     def add_pivot(self, a: int, b: int, x: float, z: float) -> int:
         """Pin two bodies together at a point of space; return the pivot's number."""
-        self._pivots.append((a, b, *self.local(a, x, z), *self.local(b, x, z)))
+        self._pivots.append(Pivot(a, b, *self.local(a, x, z), *self.local(b, x, z)))
         return len(self._pivots) - 1
 
-    def add_row(self, law: int, bodies: tuple[int, ...], numbers: Mapping[str, float]) -> int:
-        """Add a row to a law's table, its constants by the names of its columns; return the row's number."""
-        columns = LAWS[law]
-        if set(numbers) != set(columns.numbers) or len(bodies) != len(columns.bodies):
-            raise ValueError(f"`{columns.name}` takes bodies {columns.bodies} and numbers {columns.numbers}")
-        self._rows[law].append((bodies, tuple(float(numbers[name]) for name in columns.numbers)))
-        return len(self._rows[law]) - 1
+    def add(self, row: ForceLaw) -> int:
+        """Add a row to its law's table; return the row's number."""
+        rows = self._rows[type(row)]
+        rows.append(row)
+        return len(rows) - 1
 
-    def remember(self, law: int, row: int, states: Mapping[str, float]) -> None:
-        """Let a row start with something in its state."""
-        self._memory.append((law, row, dict(states)))
+    def add_curve(self, points: Sequence[tuple[float, float]]) -> tuple[int, int]:
+        """Add a piecewise-linear curve for a law to refer to; return its first point and their number."""
+        self._curves.extend(CurvePoint(x, force) for x, force in points)
+        return len(self._curves) - len(points), len(points)
 
-    def rows(self, law: int) -> int:
-        """Return how many rows a law has so far."""
-        return len(self._rows[law])
-
-    def add_outline(self, body: int, top: float, bottom: float, face: float, width: float) -> None:
-        """Add a piece of the leg's outline, from top to bottom; heights from the body's centre of gravity."""
-        self._outline.append((body, top, bottom, face, width))
+    def add_outline(self, piece: OutlinePiece) -> None:
+        """Add a piece of the leg's surface, from top to bottom."""
+        self._outline.append(piece)
 
     def turn(self, angle: float, x: float, z: float) -> None:
         """Turn everything placed so far about a point of space."""
@@ -188,50 +205,34 @@ class Assembly:
 
     def finish(self) -> World:
         """Return the world."""
-        bodies = np.array(self._bodies, dtype=np.float64).reshape(-1, 4)
         ground = len(self._names)
-        layout = np.zeros((len(LAWS), 7), dtype=np.int64)
-        index: list[int] = []
-        number: list[float] = []
-        states = 0
-        for number_of_law, law in enumerate(LAWS):
-            n = len(self._rows[number_of_law])
-            layout[number_of_law] = (
-                n,
-                len(index),
-                len(law.bodies),
-                len(number),
-                len(law.numbers),
-                states,
-                len(law.states),
-            )
-            states += n * len(law.states)
-            for who, constants in self._rows[number_of_law]:
-                index.extend(ground if b == GROUND else b for b in who)
-                number.extend(constants)
-        pivots = [(ground if a == GROUND else a, ground if b == GROUND else b) for a, b, *_ in self._pivots]
-        state = np.zeros(states)
-        for which, at, memory in self._memory:
-            names = LAWS[which].states
-            for name, value in memory.items():
-                state[layout[which, 5] + at * len(names) + names.index(name)] = value
+        layout, pools, start = [], [np.zeros(0)], 0
+        for law, rows in self._rows.items():
+            table = _grounded(table_of(law, rows), body_fields(law), ground)
+            layout.append(LawTable(len(rows), start))
+            pools.append(table.view(np.float64))
+            start += pools[-1].size
+        bodies = np.array(self._bodies, dtype=np.float64).reshape(-1, 4)
         return World(
             names=tuple(self._names),
             mass=bodies[:, 0].copy(),
             inertia=bodies[:, 1].copy(),
             guided=bodies[:, 2].copy(),
-            drag=bodies[:, 3].copy(),
+            damping=bodies[:, 3].copy(),
             pose=np.array(self._pose, dtype=np.float64).reshape(-1, 3),
             speed=np.array(self._speed, dtype=np.float64).reshape(-1, 3),
-            pivot=np.array(pivots, dtype=np.int64).reshape(-1, 2),
-            anchor=np.array([p[2:] for p in self._pivots], dtype=np.float64).reshape(-1, 4),
-            outline_body=np.array([o[0] for o in self._outline], dtype=np.int64),
-            outline=np.array([o[1:] for o in self._outline], dtype=np.float64).reshape(-1, 4),
-            layout=layout,
-            index=np.array(index, dtype=np.int64),
-            number=np.array(number, dtype=np.float64),
-            state=state,
+            pivots=_grounded(table_of(Pivot, self._pivots), ("first", "second"), ground),
+            outline=table_of(OutlinePiece, self._outline),
+            curves=table_of(CurvePoint, self._curves),
+            layout=table_of(LawTable, layout),
+            tables=np.concatenate(pools),
             gravity=np.array(self.gravity, dtype=np.float64),
-            schedule=np.array(self.schedule, dtype=np.float64).reshape(-1, 2),
             hinge=self.hinge,
         )
+
+
+def _grounded(table: Structured, names: Sequence[str], ground: int) -> Structured:
+    """Write the ground's number where it is named."""
+    for name in names:
+        table[name][table[name] == GROUND] = ground
+    return table

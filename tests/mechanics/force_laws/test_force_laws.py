@@ -5,7 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from certkit.mechanics.force_laws import BENDING, CABLES, CONDYLES, CRUSH, CUSHION, GUIDE
+from certkit.mechanics.force_laws.condyle_contact import CondyleContact
+from certkit.mechanics.force_laws.flesh_compression import FleshCompression
+from certkit.mechanics.force_laws.honeycomb import Honeycomb
+from certkit.mechanics.force_laws.joint_spring import JointSpring
+from certkit.mechanics.force_laws.law import ForceLaw, OutlinePiece
+from certkit.mechanics.force_laws.ligament_cable import LigamentCable
+from certkit.mechanics.force_laws.sliding_guide import SlidingGuide
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
 from certkit.mechanics.solver.world import GROUND, Assembly
 
@@ -13,32 +19,32 @@ STEP = 1e-5
 
 
 def balance(run: Trajectory) -> np.ndarray:
-    return run.kinetic + run.stored.sum(axis=1) + run.spent.sum(axis=1)
+    return run.kinetic + run.stored.sum(axis=1) + run.dissipated.sum(axis=1)
 
 
 def condyle_on_trough(friction: float, slope: float) -> Trajectory:
     """Let a block stand on two condyles in fixed troughs, pulled aside by `slope` times its weight."""
     assembly = Assembly(gravity=(9.81 * slope, -9.81))
-    upper = assembly.add_body("block", 2.0, 0.004, (0.0, 0.047, 0.0), drag=35.0)
+    upper = assembly.add_body("block", 2.0, 0.004, (0.0, 0.047, 0.0), damping=35.0)
     lower = assembly.add_body("base", 1.0, 0.01, (0.0, -0.045, 0.0))
     assembly.add_pivot(lower, GROUND, -0.05, -0.045)
     assembly.add_pivot(lower, GROUND, 0.05, -0.045)
     for x in (-0.04, 0.04):
-        assembly.add_row(
-            CONDYLES,
-            (upper, lower),
-            {
-                "condyle x": x,
-                "condyle z": 0.02 - 0.047,
-                "trough x": x,
-                "trough z": 0.06 + 0.045,
-                "clearance": 0.04,
-                "radius": 0.02,
-                "stiffness": 1e6,
-                "damping": 100.0,
-                "friction": friction,
-                "tangential stiffness": 5e5,
-            },
+        assembly.add(
+            CondyleContact(
+                upper=upper,
+                lower=lower,
+                condyle_x=x,
+                condyle_z=0.02 - 0.047,
+                trough_x=x,
+                trough_z=0.06 + 0.045,
+                clearance=0.04,
+                radius=0.02,
+                stiffness=1e6,
+                damping=100.0,
+                friction=friction,
+                tangential_stiffness=5e5,
+            )
         )
     return run_world(assembly.finish(), Plan(STEP, 1.0, 1.0, sample=100), tracked=[upper])
 
@@ -54,20 +60,19 @@ def test_beyond_friction_the_condyle_slides_up_its_trough_until_both_balance():
     # At rest the pull leans from the contact's normal by the angle of friction.
     slope = np.arcsin(run.tracks[-1, 0, 0] / 0.04)
     assert slope == pytest.approx(np.arctan(0.3) - np.arctan(0.1), abs=1e-3)
-    assert run.spent[-1].sum() > 0
-    assert np.abs(balance(run) - balance(run)[0]).max() < 1e-3 * run.spent[-1].sum()
+    assert run.dissipated[-1].sum() > 0
+    assert np.abs(balance(run) - balance(run)[0]).max() < 1e-3 * run.dissipated[-1].sum()
 
 
 def test_a_cable_pulls_and_never_pushes():
     assembly = Assembly()
     ends = [assembly.add_body(f"end {i}", 1.0, 0.0, (0.1 * i, 0.0, 0.0)) for i in range(2)]
-    cable = {"upper x": 0, "upper z": 0, "lower x": 0, "lower z": 0}
-    assembly.add_row(
-        CABLES, tuple(ends), {**cable, "length": 0.1, "stiffness": 1e4, "preload": 100.0, "damping": 5.0}
+    assembly.add(
+        LigamentCable(upper=ends[0], lower=ends[1], length=0.1, stiffness=1e4, preload=100.0, damping=5.0)
     )
     world = assembly.finish()
     run = run_world(
-        world, Plan(STEP, 0.2, 0.2), [world.place(CABLES, 0, n) for n in ("elongation", "tension")]
+        world, Plan(STEP, 0.2, 0.2), [world.place(LigamentCable, 0, n) for n in ("elongation", "tension")]
     )
     elongation, tension = run.readings.T
     assert np.all(tension >= 0)
@@ -77,23 +82,23 @@ def test_a_cable_pulls_and_never_pushes():
 
 
 def bar_against(
-    law: int, numbers: dict[str, float], speed: float, until: float
+    law: type[ForceLaw], numbers: dict[str, float], speed: float, until: float
 ) -> tuple[Trajectory, Assembly]:
     """Let a bar of 2 kg fly with `speed` against a fixed face of one law, 20 strips of 4 mm."""
     assembly = Assembly()
     bar = assembly.add_body("bar", 2.0, 0.03, (-0.001, 0.0, 0.0), speed=(speed, 0.0, 0.0))
-    assembly.add_outline(bar, 0.2, -0.2, 0.0, 0.05)
+    assembly.add_outline(OutlinePiece(bar, 0.2, -0.2, 0.0, 0.05))
     for i in range(20):
-        assembly.add_row(
-            law, (GROUND,), {"face x": 0.0, "face z": 0.038 - 0.004 * i, "height": 0.004, **numbers}
-        )
+        assembly.add(law(carrier=GROUND, face_x=0.0, face_z=0.038 - 0.004 * i, height=0.004, **numbers))
     world = assembly.finish()
     force = [world.place(law, i, "force") for i in range(20)]
     return run_world(world, Plan(STEP, until, until), force, [bar]), assembly
 
 
 def test_flesh_gives_back_what_it_takes_and_stiffens():
-    run, _ = bar_against(CUSHION, {"compression": 1e6, "stiffening depth": 0.03, "thickness": 0.0}, 3.0, 0.05)
+    run, _ = bar_against(
+        FleshCompression, {"compression": 1e6, "stiffening_depth": 0.03, "thickness": 0.0}, 3.0, 0.05
+    )
     deepest = run.tracks[:, 0, 0].max()
     k = 1e6 * 0.08
     assert (
@@ -106,13 +111,13 @@ def test_flesh_gives_back_what_it_takes_and_stiffens():
 
 
 def test_honeycomb_never_pushes_harder_than_its_strength_and_never_pulls():
-    run, _ = bar_against(CRUSH, {"strength": 4e5, "elastic depth": 1e-3, "thickness": 0.0}, 10.0, 0.05)
+    run, _ = bar_against(Honeycomb, {"strength": 4e5, "elastic_depth": 1e-3, "thickness": 0.0}, 10.0, 0.05)
     force = run.readings.sum(axis=1)
     strength = 4e5 * 0.05 * 0.08
     assert force.max() == pytest.approx(strength, rel=1e-12)
     assert force.min() == 0
     crushed = run.tracks[:, 0, 0].max() - 1e-3
-    assert run.spent[-1].sum() == pytest.approx(strength * crushed, rel=1e-3)
+    assert run.dissipated[-1].sum() == pytest.approx(strength * crushed, rel=1e-3)
     back = (run.tracks[-1, 0, 0] - run.tracks[-2, 0, 0]) / STEP
     assert -back == pytest.approx(np.sqrt(2 * 0.5 * strength * 1e-3 / 2.0), rel=1e-2)
 
@@ -122,10 +127,13 @@ def test_steel_cables_stiffen_a_joint_beyond_their_angle():
     for i in range(2):
         assembly.add_body(f"link {i}", 0.3, 2e-4, (0.0, -0.04 * i, 0.0), speed=(0.0, 0.0, 60.0 * (2 * i - 1)))
     assembly.add_pivot(0, 1, 0.0, -0.02)
-    numbers = {"stiffness": 1000.0, "damping": 0.0, "cable angle": 0.02, "cable stiffness": 9000.0}
-    assembly.add_row(BENDING, (0, 1), numbers)
+    assembly.add(
+        JointSpring(upper=0, lower=1, stiffness=1000.0, damping=0.0, cable_angle=0.02, cable_stiffness=9000.0)
+    )
     world = assembly.finish()
-    run = run_world(world, Plan(STEP, 0.01, 0.01), [world.place(BENDING, 0, n) for n in ("moment", "angle")])
+    run = run_world(
+        world, Plan(STEP, 0.01, 0.01), [world.place(JointSpring, 0, n) for n in ("moment", "angle")]
+    )
     moment, angle = run.readings.T
     assert np.abs(angle).max() > 0.021
     expected = 1000 * angle + 9000 * np.sign(angle) * np.clip(np.abs(angle) - 0.02, 0, None)
@@ -137,12 +145,20 @@ def two_guided_blocks(speed: float, damping: float) -> Trajectory:
     assembly = Assembly()
     upper = assembly.add_body("upper", 2.0, 0.004, (0.0, 0.045, 0.0), speed=(speed, 0.0, 3.0))
     lower = assembly.add_body("lower", 2.5, 0.005, (0.0, -0.045, 0.0))
-    numbers = {"upper x": 0.03, "upper z": -0.045, "lower x": 0.03}
-    assembly.add_row(
-        GUIDE, (upper, lower), {**numbers, "free travel": 0.004, "stiffness": 3e5, "damping": damping}
+    assembly.add(
+        SlidingGuide(
+            upper=upper,
+            lower=lower,
+            upper_x=0.03,
+            upper_z=-0.045,
+            lower_x=0.03,
+            free_travel=0.004,
+            stiffness=3e5,
+            damping=damping,
+        )
     )
     world = assembly.finish()
-    probes = [world.place(GUIDE, 0, reading) for reading in ("slide", "force")]
+    probes = [world.place(SlidingGuide, 0, reading) for reading in ("slide", "force")]
     return run_world(world, Plan(STEP, 0.03, 0.03), probes, [upper, lower])
 
 
@@ -166,4 +182,8 @@ def test_a_guide_keeps_momentum_and_its_energy_is_accounted_for(damping: float):
     assert np.ptp(momentum, axis=0) == pytest.approx([0, 0], abs=1e-9)
     assert np.ptp(angular) < 2e-5 * np.abs(angular).max()
     assert np.abs(balance(run) - balance(run)[0]).max() < 1e-3 * balance(run)[0]
-    assert run.spent[-1].sum() == pytest.approx(0, abs=1e-9) if damping == 0 else run.spent[-1].sum() > 0.01
+    assert (
+        run.dissipated[-1].sum() == pytest.approx(0, abs=1e-9)
+        if damping == 0
+        else run.dissipated[-1].sum() > 0.01
+    )

@@ -13,8 +13,8 @@ import pytest
 
 from certkit.definitions.loading.library import load
 from certkit.mechanics.simulate import build
-from certkit.mechanics.solver import object_cache as machine_code
-from certkit.mechanics.solver.kernel_arguments import KINDS, Handover, block
+from certkit.mechanics.solver import object_cache
+from certkit.mechanics.solver.kernel_arguments import KINDS, KernelArguments, block
 from certkit.mechanics.solver.object_cache import Code, Entry
 from certkit.mechanics.solver.time_loop import Plan, run_world
 from certkit.mechanics.solver.world import World
@@ -28,36 +28,36 @@ def world():
 
 @pytest.fixture(scope="module")
 def code():
-    return machine_code.compile_loop()
+    return object_cache.compile_loop()
 
 
 @pytest.fixture(scope="module")
 def by_numba():
-    return machine_code.by_numba()
+    return object_cache.by_numba()
 
 
 @pytest.fixture
 def fresh(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Path]:
     """Let this process look for the loop in an empty cache."""
     monkeypatch.setenv("CERTKIT_CACHE", str(tmp_path))
-    machine_code.loop.cache_clear()
+    object_cache.loop.cache_clear()
     yield tmp_path
-    machine_code.loop.cache_clear()
+    object_cache.loop.cache_clear()
 
 
 def trajectory(world: World) -> list[np.ndarray]:
-    run = run_world(world, Plan(2e-5, 0.01, 0.01), range(len(world.state)), [0])
-    return [run.readings, run.tracks, run.accelerations, run.frames, run.kinetic, run.stored, run.spent]
+    run = run_world(world, Plan(2e-5, 0.01, 0.01), range(len(world.tables)), [0])
+    return [run.readings, run.tracks, run.accelerations, run.frames, run.kinetic, run.stored, run.dissipated]
 
 
 def test_the_kept_loop_gives_what_numba_gives_bit_for_bit(
     world: World, code: Code, by_numba: Entry, fresh: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    monkeypatch.setattr(machine_code, "compile_loop", lambda: code)
+    monkeypatch.setattr(object_cache, "compile_loop", lambda: code)
     kept = trajectory(world)
     assert len(list(fresh.glob("*.o"))) == 1
-    machine_code.loop.cache_clear()
-    monkeypatch.setattr(machine_code, "by_llvm", lambda _: by_numba)
+    object_cache.loop.cache_clear()
+    monkeypatch.setattr(object_cache, "by_llvm", lambda _: by_numba)
     for a, b in zip(kept, trajectory(world), strict=True):
         np.testing.assert_array_equal(a, b)
 
@@ -70,7 +70,7 @@ def test_the_loop_needs_nothing_but_llvmlite_and_the_c_library(code: Code):
 def test_a_process_that_finds_the_kept_loop_imports_neither_numba_nor_scipy(
     world: World, code: Code, monkeypatch: pytest.MonkeyPatch
 ):
-    monkeypatch.setattr(machine_code, "compile_loop", lambda: code)
+    monkeypatch.setattr(object_cache, "compile_loop", lambda: code)
     trajectory(world)
     script = (
         "import sys; from certkit.mechanics.solver.object_cache import loop; "
@@ -90,12 +90,12 @@ def test_a_damaged_file_is_compiled_again(
     world: World, code: Code, fresh: Path, monkeypatch: pytest.MonkeyPatch, damage: Callable[[bytes], bytes]
 ):
     compiled = []
-    monkeypatch.setattr(machine_code, "compile_loop", lambda: compiled.append(1) or code)
+    monkeypatch.setattr(object_cache, "compile_loop", lambda: compiled.append(1) or code)
     trajectory(world)
     (file,) = fresh.glob("*.o")
     whole = file.read_bytes()
     file.write_bytes(damage(whole))
-    machine_code.loop.cache_clear()
+    object_cache.loop.cache_clear()
     trajectory(world)
     assert len(compiled) == 2
     assert file.read_bytes() == whole
@@ -106,7 +106,7 @@ def test_a_cache_that_cannot_be_written_stops_nothing(
 ):
     (fresh / "file").write_text("in the way")
     monkeypatch.setenv("CERTKIT_CACHE", str(fresh / "file"))
-    monkeypatch.setattr(machine_code, "compile_loop", lambda: code)
+    monkeypatch.setattr(object_cache, "compile_loop", lambda: code)
     assert np.isfinite(trajectory(world)[0]).all()
 
 
@@ -117,20 +117,20 @@ def test_code_that_cannot_be_loaded_is_left_to_numba(
 ):
     made = code._replace(name=name) if name else None
     called = []
-    monkeypatch.setattr(machine_code, "compile_loop", lambda: made)
-    monkeypatch.setattr(machine_code, "by_numba", lambda: called.append(1) or by_numba)
+    monkeypatch.setattr(object_cache, "compile_loop", lambda: made)
+    monkeypatch.setattr(object_cache, "by_numba", lambda: called.append(1) or by_numba)
     trajectory(world)
     assert called == [1]
 
 
 def test_another_setting_of_numba_has_a_file_of_its_own(monkeypatch: pytest.MonkeyPatch):
-    plain = machine_code._digest()
+    plain = object_cache._digest()
     monkeypatch.setenv("NUMBA_OPT", "1")
-    assert machine_code._digest() != plain
+    assert object_cache._digest() != plain
 
 
 def test_an_array_that_compiled_code_would_misread_is_refused():
-    arrays = Handover(*(np.zeros((2,) * dimensions, dtype=code) for code, dimensions in KINDS))
+    arrays = KernelArguments(*(np.zeros((2,) * dimensions, dtype=code) for code, dimensions in KINDS))
     assert block(arrays).shape == (len(KINDS), 4)
     with pytest.raises(TypeError, match="`mass` must be"):
         block(arrays._replace(mass=np.zeros(4)[::2]))

@@ -1,4 +1,4 @@
-"""How the loop's functions become machine code: with numba, which is imported only when one is compiled."""
+"""How functions of the time loop become machine code: with numba, imported only when one is compiled."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 
-class _Waiting:
+class _NotCompiledYet:
     """A function that numba meets when it compiles a caller; until then numba stays out of the process."""
 
     def __init__(self, function: Callable[..., object]) -> None:
@@ -21,7 +21,7 @@ class _Waiting:
 
     @cached_property
     def _dispatcher(self) -> Any:  # noqa: ANN401  # numba has no types
-        return lean(self.function)
+        return numba_compiled(self.function)
 
     @property
     def _numba_type_(self) -> Any:  # noqa: ANN401  # likewise; this is the name that numba asks for
@@ -29,11 +29,11 @@ class _Waiting:
 
 
 def compiled(function: Callable[P, R]) -> Callable[P, R]:
-    """Mark a function as part of the loop; only other compiled functions can call it."""
-    return cast("Callable[P, R]", _Waiting(function))
+    """Mark a function as part of the time loop; only other compiled functions can call it."""
+    return cast("Callable[P, R]", _NotCompiledYet(function))
 
 
-def lean(function: Callable[..., object]) -> Any:  # noqa: ANN401  # likewise
+def numba_compiled(function: Callable[..., object]) -> Any:  # noqa: ANN401  # likewise
     """Hand a function to numba, by IEEE rules and without reordering: runs repeat bit for bit.
 
     Without wrappers for Python it compiles faster. Without counted references (all memory comes from outside)

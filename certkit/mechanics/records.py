@@ -1,0 +1,73 @@
+"""Records: what compiled code reads and writes by name, declared as classes.
+
+A record class lists its fields once. Python makes single rows of it, numpy tables (structured arrays), and
+compiled code reads the same table row by row: `cable = cables[i]`, then `cable.stiffness`. Every field takes
+eight bytes, so that a table can also be seen as plain numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import fields
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+Floats: TypeAlias = NDArray[np.float64]
+Integers: TypeAlias = NDArray[np.int64]
+Structured: TypeAlias = Any
+"""A numpy structured array: its fields are known at run time only."""
+
+WORD = 8
+"""Bytes of a field."""
+
+Body: TypeAlias = int
+"""Number of a body; `certkit.mechanics.solver.world.GROUND` stands for the ground."""
+State: TypeAlias = float
+"""A field that the law itself writes: its history variables, and what is read off it for channels."""
+
+_FORMATS = {"float": "f8", "State": "f8", "int": "i8", "Body": "i8"}
+
+T = TypeVar("T")
+Rows: TypeAlias = Sequence[T]
+"""A table of records, as compiled code sees it."""
+
+
+class Record:
+    """Base of record classes: dataclasses whose fields are `float`, `int`, `Body` or `State`."""
+
+
+def record_type(record: type[Record]) -> np.dtype[np.void]:
+    """Return the numpy type of a record's tables.
+
+    Raises
+    ------
+    TypeError
+        When a field is of another type.
+    """
+    found = []
+    for field in fields(record):  # type: ignore[arg-type]  # every record is a dataclass
+        if field.type not in _FORMATS:
+            raise TypeError(f"{record.__name__}.{field.name} must be one of {', '.join(_FORMATS)}")
+        found.append((field.name, _FORMATS[str(field.type)]))
+    return np.dtype(found, align=True)
+
+
+def body_fields(record: type[Record]) -> tuple[str, ...]:
+    """Return the names of the fields that hold a body's number."""
+    return tuple(f.name for f in fields(record) if f.type == "Body")  # type: ignore[arg-type]  # likewise
+
+
+def table_of(record: type[Record], rows: Iterable[Record] = ()) -> Structured:
+    """Return a table with these rows."""
+    names = record_type(record).names or ()
+    return np.array([tuple(getattr(row, n) for n in names) for row in rows], dtype=record_type(record))
+
+
+def blank(record: type[Record], *shape: int) -> Structured:
+    """Return a table of zeros."""
+    return np.zeros(shape, dtype=record_type(record))
