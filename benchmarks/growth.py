@@ -37,18 +37,21 @@ def rows() -> Iterator[Row]:
     yield Row("growth of time with simulated time, exponent", exponent(spans, times), "", 1.15, "most")
 
 
-def _segments(share: int) -> list[str]:
+def _segments(share: int) -> dict[str, str]:
     """Return the changes for nine times `share` segments.
 
     Short segments are stiff: their damping is taken out, and all sizes take the step that the shortest need,
     for it is the cost of a step that is asked.
     """
     counts = {"femur": 4 * share, "tibia": 5 * share}
-    return [
-        change
+    return {
+        path: value
         for bone, count in counts.items()
-        for change in (f"legform.{bone}.segments={count}", f"legform.{bone}.damping time=0.0001 ms")
-    ]
+        for path, value in (
+            (f"legform.{bone}.segments", str(count)),
+            (f"legform.{bone}.damping time", "0.0001 ms"),
+        )
+    }
 
 
 def _front(count: int) -> Vehicle:

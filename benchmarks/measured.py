@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from clock import Row, processor_seconds
 
-from certkit import bench
+import certkit
 from certkit.exchange.csv_write import write_csv
 from certkit.exchange.mme_write import write_mme
 from certkit.signals import CHANNELS, Channel, Recording
@@ -47,7 +47,7 @@ def _read(paths: list[Path]) -> None:
 
 def _grade(paths: list[Path]) -> None:
     for path in paths:
-        bench.grade("pendulum", path)
+        certkit.grade("pendulum", path)
 
 
 def rows() -> Iterator[Row]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from clock import Row, seconds_in_turn
 from weasyprint import HTML
 
-from certkit import bench
+import certkit
 from certkit.reporting import render
 from certkit.reporting.result_view import view
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 def rows() -> Iterator[Row]:
     """Yield the time of the plain page, that of our reports, and their ratio."""
-    result = bench.run("pendulum")
+    result = certkit.run("pendulum")
     shown = view(result)
     figures = [drawing.svg for drawing in shown.histories + shown.planes]
     figures += [drawing for drawing in (shown.frames, shown.errors, shown.energies) if drawing]

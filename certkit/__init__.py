@@ -1,6 +1,7 @@
 """certkit: a regulatory certification bench for the Flex-PLI legform.
 
-The few names that a notebook needs; each is imported when first used, so that `import certkit` costs nothing.
+The names that a script or a notebook needs; each is imported when first used, so that `import certkit` costs
+nothing. Every path may be a string.
 """
 
 from __future__ import annotations
@@ -11,28 +12,53 @@ from typing import TYPE_CHECKING, Any
 from certkit._version import __version__
 
 if TYPE_CHECKING:
-    from certkit.bench import compare, grade, run
-    from certkit.definitions.loading.library import load
-    from certkit.reporting import render
-    from certkit.studies.study_findings import study
+    from certkit.bench.compare import compare
+    from certkit.bench.export import export
+    from certkit.bench.extract_vehicle import extract
+    from certkit.bench.grade_measurement import grade
+    from certkit.bench.legform_logbook import logbook
+    from certkit.bench.load_by_kind import load
+    from certkit.bench.render_documents import render
+    from certkit.bench.run_simulation import run
+    from certkit.bench.verify import verify
+    from certkit.studies.calibration.calibrate_legform import calibrate
+    from certkit.studies.carry_out_study import study
 
-_HOMES = {
-    "compare": "certkit.bench",
-    "grade": "certkit.bench",
-    "load": "certkit.definitions.loading.library",
-    "render": "certkit.reporting",
-    "run": "certkit.bench",
-    "study": "certkit.studies.study_findings",
+_FILES = {
+    "calibrate": "certkit.studies.calibration.calibrate_legform",
+    "compare": "certkit.bench.compare",
+    "export": "certkit.bench.export",
+    "extract": "certkit.bench.extract_vehicle",
+    "grade": "certkit.bench.grade_measurement",
+    "load": "certkit.bench.load_by_kind",
+    "logbook": "certkit.bench.legform_logbook",
+    "render": "certkit.bench.render_documents",
+    "run": "certkit.bench.run_simulation",
+    "study": "certkit.studies.carry_out_study",
+    "verify": "certkit.bench.verify",
 }
 
-__all__ = ["__version__", "compare", "grade", "load", "render", "run", "study"]
+__all__ = [
+    "__version__",
+    "calibrate",
+    "compare",
+    "export",
+    "extract",
+    "grade",
+    "load",
+    "logbook",
+    "render",
+    "run",
+    "study",
+    "verify",
+]
 
 
 def __getattr__(name: str) -> Any:  # noqa: ANN401  # a module's attributes are of any type
-    """Import a name from the room it lives in."""
-    if name not in _HOMES:
-        raise AttributeError(f"module `certkit` has no `{name}`; it hands on {', '.join(sorted(_HOMES))}")
-    return getattr(import_module(_HOMES[name]), name)
+    """Import a name from the file it lives in."""
+    if name not in _FILES:
+        raise AttributeError(f"module `certkit` has no `{name}`; it hands on {', '.join(sorted(_FILES))}")
+    return getattr(import_module(_FILES[name]), name)
 
 
 def __dir__() -> list[str]:

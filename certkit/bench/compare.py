@@ -2,30 +2,31 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.bench.regrade import embedded_shelf
 from certkit.bench.sources import Source, load_source
-from certkit.definitions.loading.library import load
+from certkit.definitions.channel_mapping import Mapping
+from certkit.definitions.loading.library import load, shelves
+from certkit.definitions.loading.validation import read_document
 from certkit.documents.comparison import Side
 from certkit.grading.compare_tests import ComparedTest, side_by_side
 from certkit.signals import condition
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
-    from certkit.definitions.channel_mapping import Mapping
     from certkit.definitions.loading.library import Library
     from certkit.definitions.procedure import Procedure
     from certkit.documents.comparison import ComparisonDocument
+    from certkit.documents.result import Result
 
 
 def compare(
-    a: Path,
-    b: Path,
+    a: str | Path | Result,
+    b: str | Path | Result,
     *,
     procedure: str | Path | None = None,
-    mapping: Mapping | None = None,
+    mapping: str | Path | None = None,
     lenient: bool = False,
     library: Library = (),
     until: float | None = None,
@@ -37,15 +38,15 @@ def compare(
 
     Parameters
     ----------
-    a, b : Path
-        `result.json`, the folder of a run, or measured data.
+    a, b : str, Path or Result
+        A result, its `result.json`, the folder of a run, or measured data.
     procedure : str or Path, optional
         By which measured data are conditioned (offsets, time zero); the one of a result when missing.
-    mapping : Mapping, optional
-        For measured data.
+    mapping : str or Path, optional
+        Mapping file for measured data.
     lenient : bool
         Likewise.
-    library : sequence of Path
+    library : str, Path, or sequence of them
         Folders with own definitions.
     until : float, optional
         End of the comparison, s after contact.
@@ -55,7 +56,8 @@ def compare(
     DataError
         When a source cannot be read, or they share nothing.
     """
-    first, second = (load_source(path, mapping, lenient=lenient) for path in (a, b))
+    own = read_document(Path(mapping), Mapping) if mapping is not None else None
+    first, second = (load_source(source, own, lenient=lenient) for source in (a, b))
     sheet = _procedure(procedure, (first, second), library)
     if first.recording.kind == "simulated" and second.recording.kind == "measured":
         first, second = second, first
@@ -72,7 +74,9 @@ def _procedure(named: str | Path | None, sources: tuple[Source, ...], library: L
     if named is not None:
         return load("procedure", named, library=library).document
     for result in (source.result for source in sources if source.result):
-        return load("procedure", result.procedure, library=(*library, embedded_shelf(result))).document
+        return load(
+            "procedure", result.procedure, library=(*shelves(library), embedded_shelf(result))
+        ).document
     return None
 
 

@@ -2,30 +2,36 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.bench.sources import load_source
+from certkit.definitions.channel_mapping import Mapping
+from certkit.definitions.loading.validation import read_document
 from certkit.errors import UsageError
 from certkit.exchange.csv_write import write_csv
 from certkit.exchange.mme_write import write_mme
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
-    from certkit.definitions.channel_mapping import Mapping
+    from certkit.documents.result import Result
 
 
-def export(source: Path, target: Path, *, mapping: Mapping | None = None) -> None:
+def export(source: str | Path | Result, target: str | Path, *, mapping: str | Path | None = None) -> Path:
     """Write a recording as ISO-MME folder, archive (`.zip`) or CSV (`.csv`), as the target's name says.
 
     Parameters
     ----------
-    source : Path
-        `result.json`, the folder of a run, or measured data.
-    target : Path
+    source : str, Path or Result
+        A result, its `result.json`, the folder of a run, or measured data.
+    target : str or Path
         What is written; a folder must be new.
-    mapping : Mapping, optional
-        A laboratory's own ISO-MME codes to write with.
+    mapping : str or Path, optional
+        Mapping file with a laboratory's own ISO-MME codes to write with.
+
+    Returns
+    -------
+    Path
+        What was written.
 
     Raises
     ------
@@ -34,11 +40,16 @@ def export(source: Path, target: Path, *, mapping: Mapping | None = None) -> Non
     UsageError
         When the target's name ends in something else, or its folder exists.
     """
+    target = Path(target)
+    own = read_document(Path(mapping), Mapping) if mapping is not None else None
     if target.suffix.lower() not in {"", ".csv", ".zip"}:
         raise UsageError(f"{target}: name a folder (ISO-MME), a .zip (ISO-MME archive) or a .csv file")
     loaded = load_source(source)
+    target = Path(target)
+    own = read_document(Path(mapping), Mapping) if mapping is not None else None
     if target.suffix.lower() == ".csv":
         write_csv(loaded.recording, target)
-        return
+        return target
     title = loaded.result.title if loaded.result else ""
-    write_mme(loaded.recording, target, header={"Title": title} if title else {}, mapping=mapping)
+    write_mme(loaded.recording, target, header={"Title": title} if title else {}, mapping=own)
+    return target

@@ -4,25 +4,24 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.bench.laboratory_terms import merged_conditions, read_laboratory
-from certkit.bench.recognise import recognised
 from certkit.bench.setup import Setup, prepare
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
-from certkit.documents.result import InputFile
+from certkit.documents.channel_curves import recording_of
+from certkit.documents.result import InputFile, Result
+from certkit.errors import DataError
 from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.read import read_recording
 from certkit.grading import NO_LABORATORY, evaluate, measure_all
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-    from pathlib import Path
-
     from certkit.definitions.loading.library import Library
-    from certkit.documents.result import Result
+    from certkit.definitions.loading.overrides import Overrides
 
 # The model plays no part where the leg was a real one.
 _OF_THE_MODEL = ("legform", "vehicle")
@@ -30,13 +29,13 @@ _OF_THE_MODEL = ("legform", "vehicle")
 
 def grade(
     procedure: str | Path,
-    data: Path,
+    data: str | Path,
     *,
-    laboratory: Path | None = None,
-    mapping: Path | None = None,
+    laboratory: str | Path | None = None,
+    mapping: str | Path | None = None,
     lenient: bool = False,
     library: Library = (),
-    overrides: Sequence[str] = (),
+    overrides: Overrides | None = None,
 ) -> Result:
     """Grade a recorded test: a test evaluation, or a virtual certification when the recording was simulated.
 
@@ -44,18 +43,18 @@ def grade(
     ----------
     procedure : str or Path
         Name that the library knows, or a file.
-    data : Path
+    data : str or Path
         ISO-MME folder, archive or `.mme` file, CSV file, or the folder of a run with its `channels.csv`.
-    laboratory : Path, optional
+    laboratory : str or Path, optional
         `lab.yaml`: header, sensors, decision rule, uncertainties, conditions.
-    mapping : Path, optional
+    mapping : str or Path, optional
         The laboratory's columns, codes, signs and conditions.
     lenient : bool
         List assumptions instead of stopping at departures.
-    library : sequence of Path
+    library : str, Path, or sequence of them
         Folders with own definitions, searched first.
-    overrides : sequence of str
-        `path=value` changes of the procedure.
+    overrides : mapping, optional
+        Values of the procedure to change, by their paths.
 
     Raises
     ------
@@ -65,10 +64,11 @@ def grade(
         When the data cannot.
     """
     setup = _without_model(prepare(procedure, library=library, overrides=overrides))
-    own, mapping_input = _mapping(mapping)
+    data = Path(data)
+    own, mapping_input = _mapping(None if mapping is None else Path(mapping))
     if (data / "result.json").is_file():
         data = data / "channels.csv"  # the folder of a run
-    read = _recognised(data) if mapping is None else None
+    read = _of_a_run(data) if mapping is None else None
     read = read or read_recording(data, own, lenient=lenient)
     lab = read_laboratory(laboratory) if laboratory else NO_LABORATORY
     conditions = merged_conditions(read.recording.conditions, lab.conditions)
@@ -102,12 +102,27 @@ def _mapping(path: Path | None) -> tuple[Mapping | None, list[InputFile]]:
     return mapping, [InputFile(role="mapping", path=path.name, sha256=digest, text=data.decode("utf-8-sig"))]
 
 
-def _recognised(path: Path) -> MeasuredData | None:
-    recording = recognised(path)
-    if recording is None:
+def _of_a_run(path: Path) -> MeasuredData | None:
+    """Read certkit's own `channels.csv` by the `result.json` that it was written beside.
+
+    The table alone does not say whether its test was simulated, nor what the conditions were; the document
+    does. None for any other file, and for a table that was changed since.
+    """
+    document = path.parent / "result.json"
+    if path.name != "channels.csv" or not document.is_file():
         return None
-    source = SourceFile(path.name, hashlib.sha256(path.read_bytes()).hexdigest())
-    return MeasuredData(recording, (source,))
+    from certkit.exchange.channels_csv import channels_csv  # noqa: PLC0415  # only for this one comparison
+
+    try:
+        result = Result.read(document)
+        table = channels_csv(result)
+    except DataError:
+        return None
+    content = path.read_bytes()
+    if table is None or table.encode() != content:
+        return None
+    source = SourceFile(path.name, hashlib.sha256(content).hexdigest())
+    return MeasuredData(recording_of(result, path.name), (source,))
 
 
 def _shown(data: Path, name: str) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import math
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.definitions.laboratory import Laboratory
@@ -19,7 +20,6 @@ from certkit.grading.grading_terms import LaboratoryTerms
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
-    from pathlib import Path
 
 LOGO_BYTES = 300_000
 LOGO_PIXELS = 4_000
@@ -29,7 +29,7 @@ _PNG = b"\x89PNG\r\n\x1a\n"
 _JPEG = b"\xff\xd8\xff"
 
 
-def read_laboratory(path: Path) -> LaboratoryTerms:
+def read_laboratory(path: str | Path) -> LaboratoryTerms:
     """Read `lab.yaml`.
 
     Raises
@@ -37,6 +37,7 @@ def read_laboratory(path: Path) -> LaboratoryTerms:
     DefinitionError
         With all problems of the file; also when its logo cannot be used.
     """
+    path = Path(path)
     data = read_bytes(path)
     laboratory = validate(read_tree(data, path.name), Laboratory)
     logo = embedded_logo(laboratory.logo, path.parent) if laboratory.logo else None

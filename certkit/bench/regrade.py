@@ -56,7 +56,7 @@ def regrade(result: Result) -> Result:
         raise DataError(
             f"the document does not carry its procedure `{result.procedure}`; it cannot be graded again"
         )
-    overrides = [f"{change.path}={change.value}" for change in result.provenance.overrides]
+    overrides = {change.path: change.value for change in result.provenance.overrides}
     setup = prepare(result.procedure, library=(shelf,), overrides=overrides)
     numerical = {
         c.id: c.uncertainty.numerical

@@ -9,10 +9,11 @@ from certkit.definitions.loading.library import load
 from certkit.grading import with_spread
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
     from pathlib import Path
 
     from certkit.definitions.loading.library import Library
+    from certkit.definitions.loading.overrides import Overrides
     from certkit.documents.result import Result
 
 
@@ -20,7 +21,7 @@ def run_family(
     procedure: str | Path,
     *,
     library: Library = (),
-    overrides: Sequence[str] = (),
+    overrides: Overrides | None = None,
     family: str | Path | None = None,
     step: Callable[[str], None] | None = None,
 ) -> Result:
@@ -46,12 +47,12 @@ def run_family(
     for member in kin.members:
         if step is not None:
             step(member.id)
-        own = [f"legform.{path}={value}" for path, value in member.values.items()]
-        results.append(run(procedure, library=library, overrides=[*own, *overrides], refine=False))
+        own = {f"legform.{path}": value for path, value in member.values.items()}
+        results.append(run(procedure, library=library, overrides={**own, **(overrides or {})}, refine=False))
     return with_spread(results)
 
 
-def _legform_of(procedure: str | Path, library: Library, overrides: Sequence[str]) -> str:
+def _legform_of(procedure: str | Path, library: Library, overrides: Overrides | None) -> str:
     from certkit.bench.setup import prepare  # noqa: PLC0415  # beside its only use
 
     return prepare(procedure, library=library, overrides=overrides).legform.legform

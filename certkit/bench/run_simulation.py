@@ -20,10 +20,10 @@ from certkit.grading import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
     from pathlib import Path
 
     from certkit.definitions.loading.library import Library
+    from certkit.definitions.loading.overrides import Overrides
     from certkit.documents.result import Result
     from certkit.grading import Measurements
     from certkit.mechanics import Simulation
@@ -42,7 +42,11 @@ class Refinement:
 
 
 def run(
-    procedure: str | Path, *, library: Library = (), overrides: Sequence[str] = (), refine: bool = True
+    procedure: str | Path,
+    *,
+    library: Library = (),
+    overrides: Overrides | None = None,
+    refine: bool = True,
 ) -> Result:
     """Simulate a procedure and grade it: a virtual certification of the model.
 
@@ -50,10 +54,10 @@ def run(
     ----------
     procedure : str or Path
         Name that the library knows, or a file.
-    library : sequence of Path
+    library : str, Path, or sequence of them
         Folders with own definitions, searched first.
-    overrides : sequence of str
-        `path=value`, as for `certkit.bench.setup.prepare`.
+    overrides : mapping, optional
+        Values to change by their paths, `{"rig.release.angle": "16 deg"}`; see `certkit.bench.setup.prepare`.
     refine : bool
         Run again with half the time step and with more iterations, to know what they cost. Without it the
         quality of the result has no `step_change_percent`.

@@ -13,7 +13,7 @@ from certkit.documents.result import InputFile, Override, Parameter, Provenance
 from certkit.grading.grading_terms import GradingTerms
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable
     from pathlib import Path
 
     from pydantic import BaseModel
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.legform import Legform
     from certkit.definitions.loading.library import Library
+    from certkit.definitions.loading.overrides import Overrides
     from certkit.definitions.procedure import Procedure
     from certkit.definitions.reference import Reference
     from certkit.definitions.vehicle import Vehicle
@@ -60,19 +61,19 @@ class Setup:
         )
 
 
-def prepare(procedure: str | Path, *, library: Library = (), overrides: Sequence[str] = ()) -> Setup:
+def prepare(procedure: str | Path, *, library: Library = (), overrides: Overrides | None = None) -> Setup:
     """Load a procedure and all that it names.
 
     Parameters
     ----------
     procedure : str or Path
         Name that the library knows, or a file.
-    library : sequence of Path
+    library : str, Path, or sequence of them
         Folders with own definitions, searched first.
-    overrides : sequence of str
-        `path=value`: `rig.hinge.offset=30 mm` changes the procedure, `legform=NAME` and `vehicle=NAME` put
-        another one on the rig, `legform.femur.bending stiffness=190 N·m²` changes the legform, `vehicle.…`
-        likewise the vehicle.
+    overrides : mapping, optional
+        Values by their paths: `{"rig.hinge.offset": "30 mm"}` changes the procedure, `{"legform": NAME}` and
+        `{"vehicle": NAME}` put another one on the rig, `{"legform.femur.bending stiffness": "190 N·m²"}`
+        changes the legform, `vehicle.…` likewise the vehicle.
 
     Raises
     ------
@@ -81,7 +82,7 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Sequence
     UsageError
         For a name that nobody knows, or an override that fits nowhere.
     """
-    changes = _sorted_out(overrides)
+    changes = _sorted_out(overrides or {})
     sheet = load("procedure", procedure, library=library, overrides=changes["procedure"])
     legform = load("legform", sheet.document.specimen.legform, library=library, overrides=changes["legform"])
     loaded: list[tuple[str, Loaded[BaseModel]]] = [("procedure", sheet), ("legform", legform)]
@@ -114,18 +115,17 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Sequence
     )
 
 
-def _sorted_out(overrides: Sequence[str]) -> dict[str, list[str]]:
+def _sorted_out(overrides: Overrides) -> dict[str, dict[str, object]]:
     """Sort overrides by the definition they change."""
-    changes: dict[str, list[str]] = {"procedure": [], **{kind: [] for kind in _ELSEWHERE}}
-    for override in overrides:
-        path = override.partition("=")[0].strip()
-        kind, dot, _ = path.partition(".")
+    changes: dict[str, dict[str, object]] = {"procedure": {}, **{kind: {} for kind in _ELSEWHERE}}
+    for path, value in overrides.items():
+        kind, dot, inner = path.strip().partition(".")
         if kind in _ELSEWHERE and dot:
-            changes[kind].append(override.strip().removeprefix(f"{kind}."))
-        elif path == "legform":
-            changes["procedure"].append(f"specimen.{override.strip()}")
+            changes[kind][inner] = value
+        elif path.strip() == "legform":
+            changes["procedure"]["specimen.legform"] = value
         else:
-            changes["procedure"].append(override)
+            changes["procedure"][path] = value
     return changes
 
 

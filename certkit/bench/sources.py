@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.documents.channel_curves import recording_of
@@ -10,8 +11,6 @@ from certkit.documents.result import Result
 from certkit.exchange.read import read_recording
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from certkit.definitions.channel_mapping import Mapping
     from certkit.signals import Recording
 
@@ -25,13 +24,15 @@ class Source:
     result: Result | None = None
 
 
-def load_source(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> Source:
-    """Load what a path means.
+def load_source(
+    source: str | Path | Result, mapping: Mapping | None = None, *, lenient: bool = False
+) -> Source:
+    """Load what a path means, or take a result as it is.
 
     Parameters
     ----------
-    path : Path
-        `result.json`, a folder that holds one, or measured data.
+    source : str, Path or Result
+        A result, its `result.json`, a folder that holds one, or measured data.
     mapping : Mapping, optional
         For measured data.
     lenient : bool
@@ -42,6 +43,9 @@ def load_source(path: Path, mapping: Mapping | None = None, *, lenient: bool = F
     DataError
         When it is none of them, or is damaged.
     """
+    if isinstance(source, Result):
+        return Source(source.procedure, recording_of(source), source)
+    path = Path(source)
     document = path / "result.json" if path.is_dir() else path
     if document.suffix.lower() == ".json" and document.is_file():
         result = Result.read(document)

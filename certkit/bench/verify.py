@@ -6,6 +6,7 @@ import hashlib
 import math
 from dataclasses import dataclass
 from importlib.metadata import version
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
@@ -19,7 +20,6 @@ from certkit.exchange.container import read_bounded
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
-    from pathlib import Path
 
     from certkit.documents.output_document import OutputDocument
     from certkit.documents.result import CriterionResult
@@ -61,12 +61,12 @@ class Verification:
         return all(check.holds for check in self.checks)
 
 
-def verify(path: Path) -> Verification:
+def verify(path: str | Path) -> Verification:
     """Check a certificate.
 
     Parameters
     ----------
-    path : Path
+    path : str or Path
         A document that certkit wrote (`result.json`, `extraction.json`, …), `report.pdf` (by its
         attachments), or the folder of a run.
 
@@ -75,6 +75,7 @@ def verify(path: Path) -> Verification:
     DataError
         When it is none of them, or so damaged that nothing can be checked.
     """
+    path = Path(path)
     if path.is_dir():
         return _folder(path)
     if path.suffix.lower() == ".pdf":

@@ -41,7 +41,7 @@ app = typer.Typer(
     help=(
         "Certify a Flex-PLI legform: simulate its tests or grade measured ones, "
         "and hand over the certificate.\n\n"
-        "Start with `certkit run --procedure pendulum`."
+        "Start with `certkit run pendulum`."
     ),
     epilog=(
         "Exit codes: 0 pass · 1 fail or conditional · 2 bad definition or usage · 3 run or numerical error · "

@@ -51,19 +51,14 @@ def compare(
     Errors are (B − A) / A. When only one of the two was measured, it is the reference, wherever it stands.
     """
     from certkit.bench.compare import compare as put_beside  # noqa: PLC0415  # numpy waits until it is needed
-    from certkit.definitions.channel_mapping import Mapping  # noqa: PLC0415  # likewise
-    from certkit.definitions.loading.validation import read_document  # noqa: PLC0415  # likewise
-    from certkit.errors import UsageError  # noqa: PLC0415  # likewise
-    from certkit.reporting.comparison_report import comparison_text, render_comparison  # noqa: PLC0415  # likewise
+    from certkit.bench.render_documents import render  # noqa: PLC0415  # likewise
+    from certkit.reporting.comparison_report import comparison_text  # noqa: PLC0415  # likewise
 
-    wanted = [word.strip() for word in formats.split(",") if word.strip() not in {"", "none", "json"}]
-    if unknown := [word for word in wanted if word != "html"]:
-        raise UsageError(f"a comparison is written as html; `{unknown[0]}` is not known here")
     document = put_beside(
         a,
         b,
         procedure=procedure,
-        mapping=read_document(mapping, Mapping) if mapping else None,
+        mapping=mapping,
         lenient=lenient,
         library=tuple(library or ()),
         until=None if until is None else until * 1e-3,
@@ -71,7 +66,7 @@ def compare(
     folder = out or Path("runs") / f"compare-{document.reference.label}-{document.other.label}".replace(
         " ", "-"
     )
-    document.write(folder / "comparison.json")
-    render_comparison(document, folder, wanted)
+    render(document, folder, formats)
     typer.echo(document.to_json() if as_json else comparison_text(document), nl=not as_json)
-    typer.echo(f"written to {folder}", err=True)
+    page = folder / "comparison.html"
+    typer.echo(f"look at {page}" if page.exists() else f"written to {folder}", err=True)

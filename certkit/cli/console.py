@@ -42,11 +42,11 @@ def procedures(named: Sequence[str] | None, *, every: bool, library: Sequence[Pa
 
     if every:
         if named:
-            raise UsageError("`--all` and `--procedure` exclude each other; leave one out")
+            raise UsageError("`--all` and named procedures exclude each other; leave one out")
         return names("procedure", library)
     if not named:
         known = ", ".join(names("procedure", library))
-        raise UsageError(f"which procedure? name one with --procedure, or use --all; there are {known}")
+        raise UsageError(f"which procedure? name one, or use --all; there are {known}")
     return list(dict.fromkeys(named))
 
 

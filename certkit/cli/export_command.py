@@ -25,8 +25,6 @@ def export(source: Source, target: Target, *, mapping: MappingFile = None) -> No
     `certkit export runs/pendulum pendulum.zip` writes an archive that `certkit grade` and other tools read.
     """
     from certkit.bench.export import export as write  # noqa: PLC0415  # numpy waits until it is needed
-    from certkit.definitions.channel_mapping import Mapping  # noqa: PLC0415  # likewise
-    from certkit.definitions.loading.validation import read_document  # noqa: PLC0415  # likewise
 
-    write(source, target, mapping=read_document(mapping, Mapping) if mapping else None)
-    typer.echo(f"wrote {target}", err=True)
+    write(source, target, mapping=mapping)
+    typer.echo(f"wrote {target}; `certkit grade --procedure NAME {target}` grades it again", err=True)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads annotations
-from certkit.errors import UsageError
 
 if TYPE_CHECKING:
     from certkit.identification import ExtractionResult
@@ -37,31 +36,19 @@ def extract(
     of every load path. Use the vehicle with `certkit run --procedure vehicle --set
     vehicle=FOLDER/vehicle.yaml`.
     """
-    from certkit.definitions.loading.library import load  # noqa: PLC0415  # pydantic waits until a case is read
-    from certkit.exchange.fe import data_folder  # noqa: PLC0415  # likewise
-    from certkit.files import write_whole  # noqa: PLC0415  # likewise
-    from certkit.identification import vehicle_text  # noqa: PLC0415  # likewise
-    from certkit.identification.five_steps import extract as run  # noqa: PLC0415  # numpy waits
-    from certkit.reporting import render_extraction  # noqa: PLC0415  # likewise
+    from certkit.bench.extract_vehicle import extract as extract_vehicle  # noqa: PLC0415  # numpy waits
+    from certkit.bench.render_documents import render  # noqa: PLC0415  # likewise
+    from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
 
-    wanted = {name.strip() for name in formats.split(",") if name.strip()}
-    if wanted - {"html", "pdf"}:
-        unknown = min(wanted - {"html", "pdf"})
-        raise UsageError(f"there is no extraction report in `{unknown}`; write html, pdf or both")
-    changes = [*(overrides or ()), *([f"vehicle={name}"] if name else ())]
-    loaded = load("case", case, overrides=changes)
-    document = loaded.document
-    folder = data or data_folder(document.histories, case.parent)
-    tell = (lambda _: None) if quiet or as_json else (lambda what: typer.echo(what, err=True))
-    result = run(
-        document, folder, case_folder=case.parent, case_digest={case.name: loaded.sha256}, progress=tell
+    result = extract_vehicle(
+        case,
+        data=data,
+        name=name,
+        overrides=overrides_from(overrides or ()),
+        tell=(lambda _: None) if quiet or as_json else (lambda what: typer.echo(what, err=True)),
     )
-    vehicle = vehicle_text(result) if result.vehicle else None
     target = out or Path("runs") / result.case
-    write_whole(target / "extraction.json", result.to_json())
-    if vehicle is not None:
-        write_whole(target / "vehicle.yaml", vehicle)
-    render_extraction(result, target, wanted)
+    render(result, target, formats)
     if as_json:
         typer.echo(result.to_json(), nl=False)
     else:
@@ -94,4 +81,6 @@ def _show(result: ExtractionResult, target: Path) -> None:
             f"{material.rms_percent:.1f} % rms, "
             f"{material.mean_percent:+.1f} % in the mean against the material's curve"
         )
-    typer.echo(f"written to {target}")
+    typer.echo(f"look at {target / 'extraction.html'}", err=True)
+    if result.vehicle:
+        typer.echo(f"use it: certkit run vehicle --set vehicle={target / 'vehicle.yaml'}", err=True)

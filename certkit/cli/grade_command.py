@@ -60,8 +60,10 @@ def grade(
     `certkit grade --procedure pendulum DATA --lab lab.yaml` checks the preconditions first, then conditions,
     filters and measures the channels as it does for a simulated test. The exit code is the verdict's.
     """
-    from certkit import bench  # noqa: PLC0415  # numpy and pydantic wait until a test is graded
+    from certkit.bench.grade_measurement import grade as grade_test  # noqa: PLC0415  # numpy waits
+    from certkit.bench.render_documents import render  # noqa: PLC0415  # likewise
     from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
+    from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
 
     wanted = terminal.formats(formats)
     permitted = terminal.allowed(allow)
@@ -71,17 +73,17 @@ def grade(
     with terminal.progress(len(data), quiet=quiet or as_json) as step:
         for path in data:
             step(path.name)
-            result = bench.grade(
+            result = grade_test(
                 procedure,
                 path,
                 laboratory=lab,
                 mapping=mapping,
                 lenient=lenient,
                 library=tuple(library or ()),
-                overrides=tuple(overrides or ()),
+                overrides=overrides_from(overrides or ()),
             )
             place = folder / path.stem if several or out is None else folder
-            written = bench.save(result, place, wanted)
+            written = render(result, place, wanted)
             results.append(result)
             if verbose:
                 terminal.tell_files(written)

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
-
-if TYPE_CHECKING:
-    from datetime import date
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -31,8 +28,8 @@ DEFAULT = Path("logbook")
 @app.command("add")
 def add(documents: Documents, *, logbook: Folder = DEFAULT) -> None:
     """Put graded tests into the logbook; those that it has already are left alone."""
-    from certkit.logbook.logbook_store import Logbook  # noqa: PLC0415  # sqlite waits until it is needed
-    from certkit.logbook.logbook_store import add as put  # noqa: PLC0415  # likewise
+    from certkit.logbooks.logbook_store import Logbook  # noqa: PLC0415  # sqlite waits until it is needed
+    from certkit.logbooks.logbook_store import add as put  # noqa: PLC0415  # likewise
 
     new, known = put(Logbook(logbook), documents)
     for entry in new:
@@ -63,18 +60,13 @@ def show(
     as_json: options.AsJson = False,
 ) -> None:
     """Show what is known of a legform: text, JSON or a page. Exit code 1 when a certification is due."""
-    from certkit.definitions.loading.validation import read_document  # noqa: PLC0415  # likewise
-    from certkit.definitions.logbook_rules import LogbookRules  # noqa: PLC0415  # pydantic waits until it is needed
+    from certkit.bench.legform_logbook import logbook as overviews  # noqa: PLC0415  # sqlite waits
     from certkit.documents.output_document import listed_json  # noqa: PLC0415  # likewise
     from certkit.files import write_whole  # noqa: PLC0415  # likewise
-    from certkit.logbook.logbook_store import Logbook  # noqa: PLC0415  # likewise
-    from certkit.logbook.overview import overview  # noqa: PLC0415  # likewise
     from certkit.reporting.logbook_page import logbook_page  # noqa: PLC0415  # likewise
     from certkit.reporting.logbook_text import overview_text  # noqa: PLC0415  # likewise
 
-    own = read_document(rules, LogbookRules) if rules else None
-    book, day = Logbook(logbook), _day(on)
-    legs = [overview(book, each, rules=own, day=day) for each in serial or book.serials()]
+    legs = overviews(logbook, serials=serial or (), rules=rules, day=on)
     if html:
         write_whole(html, logbook_page(legs))
         typer.echo(f"wrote {html}", err=True)
@@ -88,22 +80,7 @@ def show(
 @app.command("rebuild")
 def rebuild(*, logbook: Folder = DEFAULT) -> None:
     """Make the database again from the documents in the logbook's folder."""
-    from certkit.logbook.logbook_store import Logbook  # noqa: PLC0415  # sqlite waits until it is needed
-    from certkit.logbook.logbook_store import rebuild as build  # noqa: PLC0415  # likewise
+    from certkit.logbooks.logbook_store import Logbook  # noqa: PLC0415  # sqlite waits until it is needed
+    from certkit.logbooks.logbook_store import rebuild as build  # noqa: PLC0415  # likewise
 
     typer.echo(f"{build(Logbook(logbook))} tests", err=True)
-
-
-def _day(text: str | None) -> date | None:
-    from datetime import UTC, date, datetime  # noqa: PLC0415  # only here
-
-    from certkit.errors import UsageError  # noqa: PLC0415  # likewise
-
-    if text is None:
-        return None
-    if text == "today":
-        return datetime.now(tz=UTC).astimezone().date()
-    try:
-        return date.fromisoformat(text)
-    except ValueError as error:
-        raise UsageError(f"`--on {text}` is no day; write it as 2026-03-31, or `today`") from error

@@ -7,21 +7,39 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from certkit.cli import options
+from certkit.cli import completion, options
 from certkit.errors import CertkitError
 
 if TYPE_CHECKING:
+    from certkit.definitions.loading.library import Library
+    from certkit.definitions.loading.overrides import Overrides
     from certkit.documents.result import Result
 
+Named = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="[NAME|FILE]…",
+        help="Procedures to run, as in `certkit list procedure`, or YAML files.",
+        show_default=False,
+        autocompletion=completion.procedures,
+    ),
+]
 Procedures = Annotated[
     list[str] | None,
-    typer.Option("--procedure", "-p", metavar="NAME|FILE", help="Procedure to run. Repeatable."),
+    typer.Option(
+        "--procedure",
+        "-p",
+        metavar="NAME|FILE",
+        help="The same as an option. Repeatable.",
+        autocompletion=completion.procedures,
+    ),
 ]
 
 
 def run(
-    procedure: Procedures = None,
+    named: Named = None,
     *,
+    procedure: Procedures = None,
     every: Annotated[bool, typer.Option("--all", help="Run every procedure there is.")] = False,
     family: Annotated[
         bool, typer.Option("--family", help="Also run every leg of the certified family: value with spread.")
@@ -37,25 +55,28 @@ def run(
 ) -> None:
     """Simulate a test, grade it and write its certificate.
 
-    `certkit run --procedure pendulum` writes `runs/pendulum/` with the report as HTML and PDF, a JUnit file,
+    `certkit run pendulum` writes `runs/pendulum/` with the report as HTML and PDF, a JUnit file,
     the channels as CSV and the result document. The exit code is the verdict's.
     """
-    from certkit import bench  # noqa: PLC0415  # numpy and pydantic wait until a test is run
+    from certkit.bench.render_documents import render, render_suite  # noqa: PLC0415  # numpy waits until a test is run
+    from certkit.bench.run_simulation import run as simulate  # noqa: PLC0415  # likewise
     from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
+    from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
 
     wanted = terminal.formats(formats)
     permitted = terminal.allowed(allow)
-    names = terminal.procedures(procedure, every=every, library=library or ())
+    names = terminal.procedures([*(named or ()), *(procedure or ())], every=every, library=library or ())
+    changes = overrides_from(overrides or ())
+    call = _family if family else simulate
     results: list[Result] = []
     failures: list[CertkitError] = []
     with terminal.progress(len(names), quiet=quiet or as_json) as step:
         for name in names:
             step(name)
             try:
-                call = bench.run_family if family else bench.run
-                result = call(name, library=tuple(library or ()), overrides=tuple(overrides or ()))
+                result = call(name, library=tuple(library or ()), overrides=changes)
                 target = terminal.folder(out, result.procedure, several=len(names) > 1)
-                written = bench.save(result, target, wanted)
+                written = render(result, target, wanted)
             except CertkitError as error:
                 # One procedure that cannot be run must not take the others with it.
                 failures.append(error)
@@ -64,9 +85,15 @@ def run(
             if verbose:
                 terminal.tell_files(written)
         if len(results) > 1:
-            bench.save_suite(results, out or Path("runs"), wanted)
+            render_suite(results, out or Path("runs"), wanted)
     place = out or Path("runs")
     if len(names) == 1 and results:
         place = terminal.folder(out, results[0].procedure, several=False)
     terminal.show(results, as_json=as_json, folder=place)
     raise typer.Exit(terminal.exit_code(results, permitted, failures))
+
+
+def _family(name: str, *, library: Library, overrides: Overrides) -> Result:
+    from certkit.bench.run_family import run_family  # noqa: PLC0415  # only where a spread is wanted
+
+    return run_family(name, library=library, overrides=overrides)

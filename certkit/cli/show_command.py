@@ -34,9 +34,10 @@ def show(
     as_json: options.AsJson = False,
 ) -> None:
     """Show a definition: what it is, what it measures, and where each number comes from."""
+    from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
     from certkit.definitions.loading.summary import sheet  # noqa: PLC0415  # pydantic waits until it is needed
 
-    shown = sheet(name, kind, library=tuple(library or ()), overrides=tuple(overrides or ()))
+    shown = sheet(name, kind, library=tuple(library or ()), overrides=overrides_from(overrides or ()))
     if as_file:
         from certkit.definitions.loading.kinds import kind_of  # noqa: PLC0415  # only here
         from certkit.definitions.loading.library import find  # noqa: PLC0415  # likewise

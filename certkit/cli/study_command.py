@@ -41,25 +41,28 @@ def study(
     on where it was. The exit code is 3 when not a single run succeeded.
     """
     from certkit.cli.counting import counting, resumable  # noqa: PLC0415  # waits until a study is run
-    from certkit.definitions.loading.library import load  # noqa: PLC0415  # likewise
-    from certkit.definitions.study import Study  # noqa: PLC0415  # likewise
-    from certkit.studies.journal import forget  # noqa: PLC0415  # likewise
-    from certkit.studies.run_study import carry_and_write, optimise_and_write  # noqa: PLC0415  # likewise
+    from certkit.studies.carry_out_study import study as carry_out  # noqa: PLC0415  # likewise
+    from certkit.studies.carry_out_study import study_sheet  # noqa: PLC0415  # likewise
 
-    shelves = tuple(library or ())
-    sheet = load("study", document, library=shelves).document
-    if not isinstance(sheet, Study):
-        raise TypeError("not a study")
+    sheet = study_sheet(document, tuple(library or ()))
     folder = out or Path("runs") / sheet.study
-    if fresh:
-        forget(folder / "runs.jsonl")
-    formats = [word.strip() for word in table.split(",") if word.strip()]
-    carry = optimise_and_write if sheet.optimise else carry_and_write
     with resumable(), counting(sheet.study, quiet=quiet or as_json) as progress:
-        found, text = carry(
-            sheet, folder, formats, library=shelves, processes=processes, cluster=cluster, progress=progress
+        found = carry_out(
+            sheet,
+            out=folder,
+            tables=table,
+            fresh=fresh,
+            library=library or (),
+            processes=processes,
+            cluster=cluster,
+            progress=progress,
         )
-    typer.echo(text if as_json else found.words(), nl=not as_json)
-    if not as_json:
-        typer.echo(f"table and report in {folder}", err=True)
+    if as_json:
+        typer.echo(
+            (folder / ("optimum.json" if sheet.optimise else "study.json")).read_text("utf-8"), nl=False
+        )
+    else:
+        typer.echo(found.words())
+        page = folder / ("optimum.html" if sheet.optimise else "study.html")
+        typer.echo(f"look at {page}; the runs are in {folder / 'table.csv'}", err=True)
     raise typer.Exit(3 if (found.table["error"] != "").all() else 0)

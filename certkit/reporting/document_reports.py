@@ -83,13 +83,26 @@ def render_document(
         When this kind has no such format.
     """
     report = REPORTS[document.schema_word()]
-    unknown = sorted(set(formats or ()) - set(report.formats) - {"json"})
-    if unknown:
-        raise UsageError(
-            f"there is no {document.noun} in the format `{unknown[0]}`; use {', '.join(report.formats)}"
-        )
+    checked(document, formats or ())
     module, _, name = report.writer.partition(":")
     write = getattr(import_module(module), name)
     options = {"paper": paper} if report.takes_paper else {}
     found: list[Path] = write(document, out, report.usual if formats is None else formats, **options)
     return found
+
+
+def checked(document: OutputDocument, formats: Sequence[str]) -> list[str]:
+    """Return the formats, if a document of this kind has each of them.
+
+    Raises
+    ------
+    UsageError
+        When it has not.
+    """
+    report = REPORTS[document.schema_word()]
+    unknown = sorted(set(formats) - set(report.formats) - {"json"})
+    if unknown:
+        raise UsageError(
+            f"there is no {document.noun} in the format `{unknown[0]}`; use {', '.join(report.formats)}"
+        )
+    return list(formats)

@@ -25,6 +25,29 @@ if TYPE_CHECKING:
 JOURNAL = "runs.jsonl"
 
 
+def optimum(
+    sheet: Study,
+    *,
+    library: Sequence[Path] = (),
+    journal: Path | None = None,
+    processes: int | None = None,
+    cluster: str | None = None,
+    progress: Progress | None = None,
+) -> Optimum:
+    """Carry an optimisation out; the arguments are those of `certkit.studies.study_findings.study`."""
+    trial, factors = set_up(sheet, library)
+    held = limits_of(trial)
+    with Runs(
+        trial,
+        context=trial.context,
+        journal=journal,
+        processes=processes,
+        cluster=cluster,
+        progress=progress,
+    ) as runs:
+        return replace(optimise(sheet, factors, held, runs), output_units=trial.output_units())
+
+
 def optimise_and_write(
     sheet: Study,
     folder: Path,
@@ -37,17 +60,14 @@ def optimise_and_write(
 ) -> tuple[Optimum, str]:
     """Carry an optimisation out and write its table, what it found and its page; see `carry_and_write`."""
     check_formats(formats)
-    trial, factors = set_up(sheet, library)
-    held = limits_of(trial)
-    with Runs(
-        trial,
-        context=trial.context,
+    found = optimum(
+        sheet,
+        library=library,
         journal=folder / JOURNAL,
         processes=processes,
         cluster=cluster,
         progress=progress,
-    ) as runs:
-        found = replace(optimise(sheet, factors, held, runs), output_units=trial.output_units())
+    )
     units = {factor.name: factor.unit for factor in found.factors}
     write_table(found.table, folder, "table", {**units, **found.output_units}, formats)
     text = json.dumps(found.document(), ensure_ascii=False, indent=1, allow_nan=False) + "\n"

@@ -175,9 +175,10 @@ def study(
 
 def set_up(sheet: Study, library: Sequence[Path] = ()) -> tuple[Trial, list[Factor]]:
     """Return a study's evaluation and its factors, after one check that every setting can be loaded."""
-    fixed = tuple(f"{path}={value}" for path, value in sheet.set.items())
     names = tuple(str(Path(folder)) for folder in library)
-    bare = Trial(tuple(sheet.procedures), fixed=fixed, library=names)
+    bare = Trial(
+        tuple(sheet.procedures), fixed={path: str(value) for path, value in sheet.set.items()}, library=names
+    )
     nominals = bare.nominals()
     factors = [factor_of(parameter, nominals) for parameter in sheet.parameters]
     trial = replace(bare, units={f.name: f.unit for f in factors})

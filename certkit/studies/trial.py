@@ -39,8 +39,8 @@ class Trial:
         Unit of each numeric parameter, by its name.
     tied : mapping of str to tuple of (str, float)
         Further paths that follow a numeric parameter, each with the factor (1 or −1) it is multiplied with.
-    fixed : tuple of str
-        Overrides for every run, `path=value`.
+    fixed : mapping of str to str
+        Overrides for every run.
     library : tuple of str
         Folders with own definitions.
     """
@@ -48,7 +48,7 @@ class Trial:
     procedures: tuple[str, ...]
     units: Mapping[str, str] = field(default_factory=dict)
     tied: Mapping[str, tuple[tuple[str, float], ...]] = field(default_factory=dict)
-    fixed: tuple[str, ...] = ()
+    fixed: Mapping[str, str] = field(default_factory=dict)
     library: tuple[str, ...] = ()
 
     def __call__(self, point: Point) -> Outputs:
@@ -79,16 +79,14 @@ class Trial:
         DefinitionError, UsageError
             When a setting does not fit.
         """
-        own = [
-            f"{path}={written(value if factor == 1 else factor * float(value), self.units.get(name, ''))}"
+        own = {
+            path: written(value if factor == 1 else factor * float(value), self.units.get(name, ""))
             for name, value in point.items()
             for scope, first in [scoped(name)]
             if scope in {"", procedure}
             for path, factor in ((first, 1.0), *self.tied.get(name, ()))
-        ]
-        return prepare(
-            procedure, library=[Path(folder) for folder in self.library], overrides=[*self.fixed, *own]
-        )
+        }
+        return prepare(procedure, library=self.library, overrides={**self.fixed, **own})
 
     @property
     def context(self) -> str:
@@ -101,7 +99,7 @@ class Trial:
         return "\n".join(
             [
                 *inputs,
-                *self.fixed,
+                *(f"{path}={value}" for path, value in self.fixed.items()),
                 *map(str, sorted(self.units.items())),
                 str(sorted(self.tied.items())),
                 programs(),

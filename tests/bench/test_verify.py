@@ -10,7 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from certkit import bench
+import certkit
 from certkit.bench.verify import verify
 from certkit.definitions.loading.library import names
 from certkit.documents.result import Result
@@ -25,8 +25,8 @@ DATA = Path(__file__).parents[2] / "examples" / "measured"
 def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of a graded measured test, with all reports."""
     folder = tmp_path_factory.mktemp("verify") / "run"
-    result = bench.grade("pendulum", DATA / "FLX-0007-pendulum.zip", laboratory=DATA / "lab.yaml")
-    bench.save(result, folder, ["html", "pdf", "junit", "csv", "md"])
+    result = certkit.grade("pendulum", DATA / "FLX-0007-pendulum.zip", laboratory=DATA / "lab.yaml")
+    certkit.render(result, folder, ["html", "pdf", "junit", "csv", "md"])
     return folder
 
 
@@ -192,7 +192,7 @@ def test_a_guard_band_certificate_is_graded_by_its_own_rule(run: Path):
 
 def test_every_procedure_that_is_run_here_can_be_verified(tmp_path: Path):
     for name in names("procedure"):
-        result = bench.run(name, refine=False)
+        result = certkit.run(name, refine=False)
         path = tmp_path / name / "result.json"
         result.write(path)
         assert verify(path).holds, (name, broken(path))

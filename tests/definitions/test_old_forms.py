@@ -11,6 +11,7 @@ import certkit.bench
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import find, load
 from certkit.definitions.loading.lint import survey
+from certkit.definitions.loading.overrides import overrides_from
 from certkit.errors import OldFormWarning, UsageError
 
 NEW = "springs.lower foam.loading.28 mm=1300 N"
@@ -27,7 +28,7 @@ def listed_springs(folder: Path) -> Path:
 
 
 def test_a_spring_and_a_point_of_its_curve_are_named_in_a_path():
-    loaded = load("vehicle", "generic-saloon", overrides=[NEW])
+    loaded = load("vehicle", "generic-saloon", overrides=overrides_from([NEW]))
     assert [float(f) for _, f in loaded.document.springs["lower foam"].loading] == [0.0, 1300.0, 1620.0]
     assert (loaded.overrides[0].path, loaded.overrides[0].was) == (
         "springs.lower foam.loading.28 mm",
@@ -38,9 +39,9 @@ def test_a_spring_and_a_point_of_its_curve_are_named_in_a_path():
 
 @pytest.mark.parametrize("old", ["connections.3.loading.2.2", "springs.lower foam.loading.2.2"])
 def test_a_position_in_a_list_is_an_old_path_to_the_same_value(old: str):
-    new = load("vehicle", "generic-saloon", overrides=[NEW])
+    new = load("vehicle", "generic-saloon", overrides=overrides_from([NEW]))
     with pytest.warns(OldFormWarning, match="old path"):
-        by_position = load("vehicle", "generic-saloon", overrides=[f"{old}=1300 N"])
+        by_position = load("vehicle", "generic-saloon", overrides={old: "1300 N"})
     assert by_position.document == new.document
     assert [change.path for change in by_position.overrides] == ["springs.lower foam.loading.28 mm"]
     assert "write `vehicle.springs.lower foam.loading" in by_position.remarks[-1]
@@ -56,7 +57,7 @@ def test_a_file_with_listed_springs_is_read_and_its_springs_are_named_by_their_e
 
 def test_old_paths_fit_old_files(tmp_path: Path):
     with pytest.warns(OldFormWarning) as told:
-        loaded = load("vehicle", listed_springs(tmp_path), overrides=["connections.3.damping=70 N·s/m"])
+        loaded = load("vehicle", listed_springs(tmp_path), overrides={"connections.3.damping": "70 N·s/m"})
     assert loaded.document.springs["F3 to E2"].damping == 70.0
     assert any("write `vehicle.springs.F3 to E2.damping`" in str(remark.message) for remark in told)
 
@@ -75,13 +76,15 @@ def test_a_fault_in_an_old_file_has_its_place(tmp_path: Path):
 
 def test_an_unknown_path_is_answered_in_new_words():
     with pytest.raises(UsageError, match=r"did you mean `springs\.lower foam\.damping`"):
-        load("vehicle", "generic-saloon", overrides=["springs.lower foam.dampening=1 N·s/m"])
+        load("vehicle", "generic-saloon", overrides={"springs.lower foam.dampening": "1 N·s/m"})
 
 
 def test_a_result_notes_old_paths_and_shows_the_new_ones():
     change = "vehicle.connections.3.loading.2.2=1300 N"
     with pytest.warns(OldFormWarning):
-        result = certkit.bench.run("vehicle", overrides=["vehicle=generic-saloon", change], refine=False)
+        result = certkit.run(
+            "vehicle", overrides=overrides_from(["vehicle=generic-saloon", change]), refine=False
+        )
     assert [entry.path for entry in result.provenance.overrides][
         -1
     ] == "vehicle.springs.lower foam.loading.28 mm"

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from certkit.definitions.loading.library import load
+from certkit.definitions.loading.overrides import overrides_from
 from certkit.definitions.vehicle import Spring, Vehicle
 from certkit.errors import DefinitionError, RunError
 from certkit.identification.spring_law import Branch, SpringLaw
@@ -24,10 +25,13 @@ SHIPPED = ["generic-saloon", "generic-suv", "generic-sports-car"]
 def hit(
     vehicle: str | Path, *changes: str, flight: tuple[str, ...] = (), step: float | None = None
 ) -> Simulation:
-    sheet = load("procedure", "vehicle", overrides=flight).document
+    sheet = load("procedure", "vehicle", overrides=overrides_from(flight)).document
     legform = load("legform", "flex-pli-gtr").document
     return simulate(
-        sheet, legform, vehicle=load("vehicle", vehicle, overrides=changes).document, time_step=step
+        sheet,
+        legform,
+        vehicle=load("vehicle", vehicle, overrides=overrides_from(changes)).document,
+        time_step=step,
     )
 
 

@@ -22,12 +22,12 @@ UNTIL = 0.13
 @pytest.fixture(scope="module")
 def legform() -> Legform:
     """Return the shipped leg without friction in the knee."""
-    return load("legform", "flex-pli-gtr", overrides=["knee.condyles.friction=0"]).document
+    return load("legform", "flex-pli-gtr", overrides={"knee.condyles.friction": "0"}).document
 
 
 @pytest.fixture(scope="module")
 def procedure() -> Procedure:
-    return load("procedure", "pendulum", overrides=["run.until=130 ms"]).document
+    return load("procedure", "pendulum", overrides={"run.until": "130 ms"}).document
 
 
 @pytest.fixture(scope="module")

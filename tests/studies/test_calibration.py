@@ -105,8 +105,8 @@ def test_every_member_of_a_family_passes_when_it_is_run_again(tmp_path: Path) ->
     family = load("family", tmp_path / "families" / "flex-pli-gtr.yaml").document
     assert len({tuple(member.values.items()) for member in family.members}) == 3
     for member in family.members:
-        own = [f"legform.{path}={value}" for path, value in member.values.items()]
-        trial = type(task.trial)(task.trial.procedures, fixed=(*task.trial.fixed, *own))
+        own = {f"legform.{path}": value for path, value in member.values.items()}
+        trial = type(task.trial)(task.trial.procedures, fixed={**task.trial.fixed, **own})
         assert trial({})["inverse/verdict"] == "pass"
 
 

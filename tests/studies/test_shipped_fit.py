@@ -78,7 +78,7 @@ def test_two_members_cannot_have_one_name() -> None:
 
 @pytest.mark.parametrize("member", FAMILY.members, ids=lambda member: member.id)
 def test_every_leg_of_the_family_passes_every_graded_channel(member: object) -> None:
-    own = tuple(f"legform.{path}={value}" for path, value in member.values.items())
+    own = {f"legform.{path}": value for path, value in member.values.items()}
     procedures = ("pendulum", "inverse")
     outputs = Trial(procedures, fixed=own)({})
     assert passes(Outcome(outputs), procedures)

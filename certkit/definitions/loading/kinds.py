@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, cast
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
     from pathlib import Path
 
     from pydantic import BaseModel
 
     from certkit.definitions.loading.old_forms import Modernise
+    from certkit.definitions.loading.overrides import Overrides
     from certkit.definitions.loading.validation import Check
     from certkit.definitions.loading.yaml_reader import Tree
 
@@ -77,13 +77,15 @@ class Kind:
         """Return the check of the whole file, if there is one."""
         return cast("Check", _named(self.checks)) if self.checks else None
 
-    def today(self, tree: Tree, overrides: Sequence[str] = ()) -> tuple[Tree, Sequence[str], tuple[str, ...]]:
+    def today(
+        self, tree: Tree, overrides: Overrides | None = None
+    ) -> tuple[Tree, Overrides, tuple[str, ...]]:
         """Bring a file and changes of its values into today's form; see `loading.old_forms.modernised`."""
         if not self.old_forms:
-            return tree, overrides, ()
+            return tree, overrides or {}, ()
         from certkit.definitions.loading.old_forms import modernised  # noqa: PLC0415  # for these kinds only
 
-        return modernised(tree, overrides, cast("Modernise", _named(self.old_forms)), self.prefix)
+        return modernised(tree, overrides or {}, cast("Modernise", _named(self.old_forms)), self.prefix)
 
 
 def _named(home: str) -> object:

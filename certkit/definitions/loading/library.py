@@ -17,7 +17,7 @@ from pydantic import BaseModel
 
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS, Kind, kind_of
-from certkit.definitions.loading.overrides import Change, change
+from certkit.definitions.loading.overrides import Change, Overrides, change
 from certkit.definitions.loading.search_path import FolderShelf, Found, Shelf, shipped_shelf
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
@@ -37,8 +37,8 @@ if TYPE_CHECKING:
 
 D_co = TypeVar("D_co", bound=BaseModel, covariant=True)
 
-Library = Sequence[Path | Shelf]
-"""What is searched before the shipped definitions, in this order."""
+Library = str | Path | Sequence[str | Path | Shelf]
+"""Folders with own definitions, one or several; searched before the shipped ones, in this order."""
 
 
 @dataclass(frozen=True)
@@ -73,48 +73,48 @@ class Loaded(Generic[D_co]):
 
 @overload
 def load(
-    kind: Literal["procedure"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+    kind: Literal["procedure"], name: str | Path, *, library: Library = (), overrides: Overrides | None = None
 ) -> Loaded[Procedure]: ...
 @overload
 def load(
-    kind: Literal["corridors"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+    kind: Literal["corridors"], name: str | Path, *, library: Library = (), overrides: Overrides | None = None
 ) -> Loaded[CorridorSet]: ...
 @overload
 def load(
-    kind: Literal["legform"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+    kind: Literal["legform"], name: str | Path, *, library: Library = (), overrides: Overrides | None = None
 ) -> Loaded[Legform]: ...
 @overload
 def load(
-    kind: Literal["vehicle"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+    kind: Literal["vehicle"], name: str | Path, *, library: Library = (), overrides: Overrides | None = None
 ) -> Loaded[Vehicle]: ...
 @overload
 def load(
-    kind: Literal["reference"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+    kind: Literal["reference"], name: str | Path, *, library: Library = (), overrides: Overrides | None = None
 ) -> Loaded[Reference]: ...
 @overload
 def load(
-    kind: Literal["family"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+    kind: Literal["family"], name: str | Path, *, library: Library = (), overrides: Overrides | None = None
 ) -> Loaded[Family]: ...
 @overload
 def load(
-    kind: Literal["case"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+    kind: Literal["case"], name: str | Path, *, library: Library = (), overrides: Overrides | None = None
 ) -> Loaded[Case]: ...
 @overload
 def load(
-    kind: Literal["study"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+    kind: Literal["study"], name: str | Path, *, library: Library = (), overrides: Overrides | None = None
 ) -> Loaded[Study]: ...
 @overload
 def load(
-    kind: Literal["fit"], name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+    kind: Literal["fit"], name: str | Path, *, library: Library = (), overrides: Overrides | None = None
 ) -> Loaded[CalibrationTask]: ...
 @overload
 def load(
-    kind: str, name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+    kind: str, name: str | Path, *, library: Library = (), overrides: Overrides | None = None
 ) -> Loaded[BaseModel]: ...
 
 
 def load(
-    kind: str, name: str | Path, *, library: Library = (), overrides: Sequence[str] = ()
+    kind: str, name: str | Path, *, library: Library = (), overrides: Overrides | None = None
 ) -> Loaded[BaseModel]:
     """Load one definition.
 
@@ -124,10 +124,10 @@ def load(
         Its kind: `procedure`, `corridors`, `legform`, `vehicle`, `reference`.
     name : str or Path
         A name that the library knows, or a path.
-    library : sequence of Path or Shelf
-        Searched first, in order.
-    overrides : sequence of str
-        Values to change, `path=value`, such as `rig.hinge.offset=30 mm`; the path starts inside this
+    library : str, Path, or sequence of them
+        Folders with own definitions, searched first, in order.
+    overrides : mapping, optional
+        Values to change by their paths, such as `{"rig.hinge.offset": "30 mm"}`; a path starts inside this
         definition.
 
     Returns
@@ -145,10 +145,10 @@ def load(
     return parse(known, find(known, name, library), overrides)
 
 
-def parse(kind: Kind, found: Found, overrides: Sequence[str] = ()) -> Loaded[BaseModel]:
+def parse(kind: Kind, found: Found, overrides: Overrides | None = None) -> Loaded[BaseModel]:
     """Read a found definition; see `load`."""
     model = kind.model
-    tree, overrides, remarks = kind.today(read_tree(found.data, found.file), overrides)
+    tree, overrides, remarks = kind.today(read_tree(found.data, found.file), overrides or {})
     tree, changes = change(tree, overrides, model, kind.prefix)
     numbered = tuple(entry.remark for entry in changes if entry.remark)
     for remark in numbered:
@@ -174,12 +174,12 @@ def find(kind: Kind, name: str | Path, library: Library = ()) -> Found:
     path = Path(name)
     if isinstance(name, Path) or path.suffix in ENDINGS or len(path.parts) > 1:
         return Found(_shown(path), read_bytes(path), str(path))
-    shelves = search_order(library)
-    for shelf in shelves:
+    searched = search_order(library)
+    for shelf in searched:
         found = shelf.find(kind, str(name))
         if found is not None:
             return found
-    names = {known for shelf in shelves for known in shelf.names(kind)}
+    names = {known for shelf in searched for known in shelf.names(kind)}
     hint = f"; to read the file, write ./{name}" if path.exists() else ""
     raise UsageError(f"there is no {kind.noun} `{name}`; {suggestion(str(name), names)}{hint}")
 
@@ -192,11 +192,18 @@ def search_order(library: Library = ()) -> list[Shelf]:
     UsageError
         When a library folder does not exist.
     """
-    for entry in library:
+    own = shelves(library)
+    for entry in own:
         if isinstance(entry, Path) and not entry.is_dir():
             raise UsageError(f"the library `{entry}` is no folder; check the path")
-    own = [FolderShelf(entry, _shown(entry)) if isinstance(entry, Path) else entry for entry in library]
-    return [*own, shipped_shelf()]
+    known = [FolderShelf(entry, _shown(entry)) if isinstance(entry, Path) else entry for entry in own]
+    return [*known, shipped_shelf()]
+
+
+def shelves(library: Library) -> tuple[Path | Shelf, ...]:
+    """Return the places of a library: one folder is a library too, and strings are paths."""
+    entries = (library,) if isinstance(library, (str, Path)) else library
+    return tuple(Path(entry) if isinstance(entry, str) else entry for entry in entries)
 
 
 def names(kind: str, library: Library = ()) -> list[str]:

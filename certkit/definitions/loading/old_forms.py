@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from certkit.definitions.loading.faults import Steps
+    from certkit.definitions.loading.overrides import Overrides
     from certkit.definitions.loading.yaml_reader import Tree
 
 
@@ -47,16 +48,16 @@ Modernise = Callable[[dict[str, Any]], Moved]
 
 
 def modernised(
-    tree: Tree, overrides: Sequence[str], modernise: Modernise, prefix: str = ""
-) -> tuple[Tree, list[str], tuple[str, ...]]:
+    tree: Tree, overrides: Overrides, modernise: Modernise, prefix: str = ""
+) -> tuple[Tree, Overrides, tuple[str, ...]]:
     """Bring a file and the changes of its values into today's form.
 
     Parameters
     ----------
     tree : Tree
         As read.
-    overrides : sequence of str
-        Each `path=value`.
+    overrides : mapping of str to value
+        Values by their paths.
     modernise : callable
         Of the file's kind.
     prefix : str
@@ -74,14 +75,12 @@ def modernised(
             {_new(steps, moved.moves): at for steps, at in held.items()} for held in (tree.values, tree.keys)
         ]
         tree = replace(tree, data=moved.data, values=places[0], keys=places[1])
-    changed = []
-    for override in overrides:
-        path, sign, value = override.partition("=")
+    changed: dict[str, object] = {}
+    for path, value in overrides.items():
         today = _today(path.strip(), moved.moves)
         if today is not None:
             remarks.append(f"`{prefix}{path.strip()}` is an old path; write `{prefix}{today}`")
-            path = today
-        changed.append(f"{path}{sign}{value}")
+        changed[path if today is None else today] = value
     for remark in remarks:
         warnings.warn(remark, OldFormWarning, stacklevel=2)
     return tree, changed, tuple(remarks)

@@ -1,4 +1,4 @@
-"""Change values of a definition for one run: `rig.hinge.offset=30 mm`, `criteria.T1.filter=none`.
+"""Change values of a definition for one run: `{"rig.hinge.offset": "30 mm", "criteria.T1.filter": "none"}`.
 
 A path is words with dots between them. Underscores and hyphens stand for spaces. List entries have names: a
 criterion its id, a precondition its quantity, a point its coordinates (`x`, `z`), a point of a curve its
@@ -8,6 +8,8 @@ an entry has no name of its own is its number the way.
 
 from __future__ import annotations
 
+import json
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -17,11 +19,14 @@ from certkit.definitions.loading.yaml_reader import Tree, read_value
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterable, Iterator
 
     from pydantic import BaseModel
 
     from certkit.definitions.loading.faults import Steps
+
+Overrides = Mapping[str, object]
+"""Values by their paths: words as in a definition file (`"30 mm"`), or numbers, truth values and lists."""
 
 ORIGIN = {"source": "set on the command line", "confidence": "estimated"}
 
@@ -73,22 +78,26 @@ class _Entry:
     numbered: bool = False
 
 
-def split(override: str) -> tuple[str, str]:
-    """Cut `path=value` in two.
+def overrides_from(words: Iterable[str]) -> dict[str, str]:
+    """Return overrides as they are written on a command line, `path=value` each; the last of a path holds.
 
     Raises
     ------
     UsageError
         When there is no `=`, or nothing before it.
     """
-    path, sign, value = override.partition("=")
-    if not sign or not path.strip():
-        raise UsageError(f"`--set {override}`: write PATH=VALUE, such as 'rig.hinge.offset=30 mm'")
-    return path.strip(), value.strip()
+    found: dict[str, str] = {}
+    for override in words:
+        path, sign, value = override.partition("=")
+        if not sign or not path.strip():
+            raise UsageError(f"`--set {override}`: write PATH=VALUE, such as 'rig.hinge.offset=30 mm'")
+        found.pop(path.strip(), None)  # so that it is applied after the others, as it was written
+        found[path.strip()] = value.strip()
+    return found
 
 
 def change(
-    tree: Tree, overrides: Sequence[str], model: type[BaseModel], prefix: str = ""
+    tree: Tree, overrides: Overrides, model: type[BaseModel], prefix: str = ""
 ) -> tuple[Tree, tuple[Change, ...]]:
     """Return the tree with the values changed, and what was changed.
 
@@ -96,8 +105,8 @@ def change(
     ----------
     tree : Tree
         A definition as read; it is left as it is.
-    overrides : sequence of str
-        Each `path=value`; applied in turn.
+    overrides : mapping of str to value
+        Values by their paths; applied in turn.
     model : type
         The definition's document, which also knows the keys that are not in the file.
     prefix : str
@@ -111,8 +120,8 @@ def change(
         When a value cannot be read.
     """
     data, changed, changes = tree.data, dict(tree.changed), []
-    for override in overrides:
-        path, text = split(override)
+    for path, given in overrides.items():
+        text = given if isinstance(given, str) else json.dumps(given, ensure_ascii=False)  # YAML as well
         spot = _find(path, data, model)
         value = read_value(text, f"--set {path}")
         was = _at(data, spot.steps)

@@ -18,11 +18,10 @@ from certkit.definitions.words import ENDINGS
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from pydantic import BaseModel
 
     from certkit.definitions.loading.library import Library, Loaded
+    from certkit.definitions.loading.overrides import Overrides
     from certkit.definitions.procedure import Criterion
 
 
@@ -71,7 +70,7 @@ class Sheet:
 
 
 def sheet(
-    name: str, kind: str | None = None, *, library: Library = (), overrides: Sequence[str] = ()
+    name: str, kind: str | None = None, *, library: Library = (), overrides: Overrides | None = None
 ) -> Sheet:
     """Load a definition by name or path and lay it out.
 

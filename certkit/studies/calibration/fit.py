@@ -93,7 +93,7 @@ def make_ready(document: CalibrationTask | str | Path, library: Sequence[Path] =
             for p in sheet.parameters
             if p.with_ or p.opposite
         },
-        fixed=(f"legform={sheet.legform}",),
+        fixed={"legform": sheet.legform},
         library=tuple(str(Path(folder)) for folder in library),
     )
     space = space_of(sheet.parameters, trial.nominals())

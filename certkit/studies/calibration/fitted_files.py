@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from certkit.definitions.loading.overrides import Overrides
     from certkit.studies.calibration.fit import Calibration
 
 LEG = "legform."
@@ -33,11 +34,11 @@ def write_fit(calibration: Calibration, folder: Path) -> list[Path]:
     All numbers that were free carry the confidence `calibrated` and the fit's name.
     """
     task = calibration.task
-    overrides: dict[tuple[str, str], list[str]] = {("legform", task.sheet.legform): []}
+    overrides: dict[tuple[str, str], dict[str, str]] = {("legform", task.sheet.legform): {}}
     for path, value in changes(calibration, calibration.shares):
         scope, inner = scoped(path)
         key = ("procedure", scope) if scope else ("legform", task.sheet.legform)
-        overrides.setdefault(key, []).append(f"{inner.removeprefix(LEG)}={value}")
+        overrides.setdefault(key, {})[inner.removeprefix(LEG)] = value
     paths = []
     for (kind, name), changed in overrides.items():
         paths.append(folder / f"{name}.yaml")
@@ -138,7 +139,7 @@ def report(calibration: Calibration) -> dict[str, Any]:
     }
 
 
-def _document(calibration: Calibration, kind: str, name: str, overrides: list[str]) -> str:
+def _document(calibration: Calibration, kind: str, name: str, overrides: Overrides) -> str:
     known = kind_of(kind)
     found = find(known, name, [_folder(path) for path in calibration.task.trial.library])
     tree, _ = change(read_tree(found.data, found.label), overrides, known.model)

@@ -15,7 +15,7 @@ from certkit.studies.study_pages import fit_page
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from certkit.studies.calibration.fit import Task
+    from certkit.studies.calibration.fit import Calibration, Task
     from certkit.studies.calibration.search import Tell
 
 JOURNAL = "runs.jsonl"
@@ -41,17 +41,31 @@ def carry_and_write(
     str
         The report in a few lines.
     """
+    found, paths = fit_and_write(task, folder, family=family, processes=processes, cluster=cluster, tell=tell)
+    data = report(found)
+    return paths, json.dumps(data, ensure_ascii=False, indent=1, allow_nan=False) + "\n", summary(data)
+
+
+def fit_and_write(
+    task: Task,
+    folder: Path,
+    *,
+    family: int | None = None,
+    processes: int | None = None,
+    cluster: str | None = None,
+    tell: Tell = lambda _: None,
+) -> tuple[Calibration, list[Path]]:
+    """Calibrate and write; return what was found and the files, as `carry_and_write`."""
     with runs_for(task, journal=folder / JOURNAL, processes=processes, cluster=cluster) as runs:
         found = calibrate(task, runs, tell)
         paths = write_fit(found, folder)
-        data = report(found)
         paths.append(folder / "fit.html")
-        write_whole(paths[-1], fit_page(data))
+        write_whole(paths[-1], fit_page(report(found)))
         if family:
             members = kin(found, runs, family, tell)
             paths.append(folder / "families" / f"{task.sheet.legform}.yaml")
             write_family(found, members, paths[-1])
-    return paths, json.dumps(data, ensure_ascii=False, indent=1, allow_nan=False) + "\n", summary(data)
+    return found, paths
 
 
 def summary(data: dict[str, Any]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from certkit import bench
+import certkit
 from certkit.definitions.loading.library import names
 from docs.make.markdown import figure, table
 
@@ -24,7 +24,7 @@ def all_procedures(tell: Callable[[str], None]) -> dict[str, Result]:
     results = {}
     for name in names("procedure"):
         tell(f"run {name}")
-        results[name] = bench.run(name)
+        results[name] = certkit.run(name)
     return results
 
 
@@ -108,8 +108,8 @@ def steps_table(procedure: str, tell: Callable[[str], None]) -> str:
     runs = []
     for step in STEPS:
         tell(f"run {procedure} at {step:g} µs")
-        overrides = [f"run.time step={step:g} µs"]
-        runs.append(bench.run(procedure, overrides=overrides, refine=False))
+        overrides = {"run.time step": f"{step:g} µs"}
+        runs.append(certkit.run(procedure, overrides=overrides, refine=False))
     rows = []
     for index, criterion in enumerate(runs[0].criteria):
         if not criterion.graded:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import tempfile
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit import bench
+import certkit
 from certkit.definitions.loading.library import load
 from certkit.definitions.shipped import shipped_root
 from certkit.identification.five_steps import extract
@@ -83,9 +81,7 @@ UNTIL = 0.022
 def first_peaks_table(lumped: Result) -> str:
     """Return the tibia's first peaks, and when they come, beside those of the finite-element run."""
     run = shipped_root() / "examples" / "extract" / "front" / "fe-run.csv"
-    with tempfile.TemporaryDirectory() as temporary:
-        bench.save(lumped, Path(temporary), [])
-        document = bench.compare(run, Path(temporary), until=UNTIL)
+    document = certkit.compare(run, lumped, until=UNTIL)
     rows = []
     for overlay in document.overlays:
         if not overlay.channel.startswith("T"):

@@ -10,6 +10,7 @@ from certkit.definitions.loading.cross_references import disagreements
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import find, load
 from certkit.definitions.loading.lint import survey
+from certkit.definitions.loading.overrides import overrides_from
 from certkit.definitions.loading.yaml_reader import read_tree
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ polygons:
 def against(*overrides: str, library: tuple[Path, ...] = (), name: str = "pendulum") -> list[str]:
     found = find(KINDS["procedure"], name)
     tree = read_tree(found.data, found.file)
-    document = load("procedure", name, overrides=overrides).document
+    document = load("procedure", name, overrides=overrides_from(overrides)).document
     return [problem.message for problem in disagreements(document, tree, library)]
 
 

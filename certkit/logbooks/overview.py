@@ -12,13 +12,13 @@ from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.logbook_overview import LegOverview, TestLine
 from certkit.errors import UsageError
-from certkit.logbook.trend import trends
-from certkit.logbook.validity import validity
+from certkit.logbooks.trend import trends
+from certkit.logbooks.validity import validity
 
 if TYPE_CHECKING:
     from datetime import date
 
-    from certkit.logbook.logbook_store import Logbook
+    from certkit.logbooks.logbook_store import Logbook
 
 _STATES = ("never certified", "due", "valid")
 
@@ -26,7 +26,7 @@ _STATES = ("never certified", "due", "valid")
 @cache
 def shipped_rules() -> LogbookRules:
     """Read the rules that certkit ships."""
-    source = files("certkit.logbook") / "flex-pli.yaml"
+    source = files("certkit.logbooks") / "flex-pli.yaml"
     return validate(read_tree(source.read_bytes(), source.name), LogbookRules)
 
 

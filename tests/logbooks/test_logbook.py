@@ -13,7 +13,7 @@ from support.forty_tests import BEGIN, document, forty
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.output_document import listed_json
 from certkit.errors import DataError, UsageError
-from certkit.logbook import Logbook, add, overview, rebuild
+from certkit.logbooks import Logbook, add, overview, rebuild
 from certkit.reporting.logbook_page import logbook_page
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from datetime import date
 
     from certkit.definitions.logbook_rules import Overload, Rule
-    from certkit.logbook.logbook_entry import LogbookEntry
+    from certkit.logbooks.logbook_entry import LogbookEntry
 
 _DAY = 86400.0
 PASSED = "pass"

@@ -13,7 +13,7 @@ from certkit.documents.logbook_overview import Trend
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.logbook.logbook_entry import LogbookEntry, Reading
+    from certkit.logbooks.logbook_entry import LogbookEntry, Reading
 
 INDIVIDUALS = 2.66
 """Control limits: mean ± 2.66 · mean moving range, three standard deviations (ISO 7870-2)."""

@@ -14,7 +14,7 @@ from certkit.documents.result import Result
 from certkit.errors import DataError
 from certkit.exchange.container import read_bounded
 from certkit.files import write_whole
-from certkit.logbook.logbook_entry import LogbookEntry, Reading, entry_of
+from certkit.logbooks.logbook_entry import LogbookEntry, Reading, entry_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -1,0 +1,74 @@
+"""`logbook`: put graded tests into the logbook of the legforms, and draw up what is known of each."""
+
+from __future__ import annotations
+
+from datetime import UTC, date, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from certkit.definitions.loading.validation import read_document
+from certkit.definitions.logbook_rules import LogbookRules
+from certkit.errors import UsageError
+from certkit.logbooks import Logbook, add, overview
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from certkit.documents.logbook_overview import LegOverview
+
+FOLDER = "logbook"
+
+
+def logbook(
+    folder: str | Path = FOLDER,
+    *,
+    tests: str | Path | Sequence[str | Path] = (),
+    serials: Sequence[str] = (),
+    rules: str | Path | None = None,
+    day: str | date | None = None,
+) -> list[LegOverview]:
+    """Put tests into a logbook, and return what is known of each legform: validity left and why, trends.
+
+    Parameters
+    ----------
+    folder : str or Path
+        Of the logbook; made with the first test.
+    tests : str, Path, or sequence of them
+        `result.json` of graded tests, or folders of their runs. Those that it has already are left alone.
+    serials : sequence of str
+        Legforms; all when none is named.
+    rules : str or Path, optional
+        File with own rules of validity; the shipped ones when missing.
+    day : str or date, optional
+        The day that validity is asked for: `2026-03-31` or `today`; the day of the last test when missing.
+
+    Raises
+    ------
+    DataError
+        When there is no logbook, or a test is damaged, was changed, or names no legform and day.
+    UsageError
+        When the logbook does not know a legform, or the day is none.
+    """
+    book = Logbook(Path(folder))
+    paths = [tests] if isinstance(tests, (str, Path)) else tests
+    if paths:
+        add(book, [Path(path) for path in paths])
+    own = read_document(Path(rules), LogbookRules) if rules is not None else None
+    asked = _day(day) if isinstance(day, str) else day
+    return [overview(book, serial, rules=own, day=asked) for serial in serials or book.serials()]
+
+
+def _day(text: str) -> date:
+    """Read a day.
+
+    Raises
+    ------
+    UsageError
+        When it is none.
+    """
+    if text == "today":
+        return datetime.now(tz=UTC).astimezone().date()
+    try:
+        return date.fromisoformat(text)
+    except ValueError as error:
+        raise UsageError(f"`{text}` is no day; write it as 2026-03-31, or `today`") from error

@@ -1,0 +1,76 @@
+"""`calibrate`: fit the free numbers of a legform and its rigs to tests, and write the fitted files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from certkit.errors import UsageError
+from certkit.studies.calibration import fit
+from certkit.studies.calibration.run_calibration import JOURNAL, fit_and_write
+from certkit.studies.journal import forget
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from certkit.definitions.calibration import CalibrationTask
+    from certkit.studies.calibration.search import Tell
+
+
+def calibrate(  # noqa: PLR0913  # as many as the command has options
+    document: CalibrationTask | str | Path,
+    *,
+    out: str | Path | None = None,
+    family: int | None = None,
+    fresh: bool = False,
+    library: str | Path | Sequence[str | Path] = (),
+    processes: int | None = None,
+    cluster: str | None = None,
+    tell: Tell = lambda _: None,
+) -> fit.Calibration:
+    """Fit parameters of a legform and of rigs to tests, within bounds.
+
+    Parameters
+    ----------
+    document : CalibrationTask, str or Path
+        The fit, its shipped name, or its file.
+    out : str or Path, optional
+        Folder for the fitted legform and rigs and the report; a fit that was interrupted goes on from what is
+        there. Nothing is written when missing.
+    family : int, optional
+        Also find and write this many legs that pass every graded criterion; needs `out`.
+    fresh : bool
+        Forget the runs that an earlier call has done.
+    library : str, Path, or sequence of them
+        Folders with own definitions, searched first.
+    processes : int, optional
+        Workers on this machine, all cores by default.
+    cluster : str, optional
+        Address of a Dask scheduler to use instead.
+    tell : callable, optional
+        Told how far the search has come.
+
+    Returns
+    -------
+    Calibration
+        `point` has the fitted numbers.
+
+    Raises
+    ------
+    DefinitionError, UsageError
+        Before anything is run.
+    RunError
+        When not even the best place found can be run.
+    """
+    if family is not None and out is None:
+        raise UsageError("a family is written as files; say where with `out`")
+    folders = [Path(each) for each in ([library] if isinstance(library, (str, Path)) else library)]
+    task = fit.make_ready(document, folders)
+    if out is None:
+        with fit.runs_for(task, processes=processes, cluster=cluster) as runs:
+            return fit.calibrate(task, runs, tell)
+    folder = Path(out)
+    if fresh:
+        forget(folder / JOURNAL)
+    found, _ = fit_and_write(task, folder, family=family, processes=processes, cluster=cluster, tell=tell)
+    return found
