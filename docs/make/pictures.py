@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.definitions.shipped import shipped_root
+from certkit.definitions.loading.search_path import shipped_root
 from docs.make.examples import Given, examples
 from docs.make.reference import DOCS
 from docs.make.scenes import FIGURES, RUNS, TERMINAL

@@ -12,9 +12,9 @@ from certkit.definitions.base import words
 from certkit.definitions.channels import CHANNELS, channel_kind
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.field_types import fields
+from certkit.definitions.loading.search_path import is_name
 from certkit.definitions.procedure import MEASURES, Criterion
 from certkit.definitions.units import parse_quantity
-from certkit.definitions.words import is_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -18,10 +18,9 @@ from pydantic import BaseModel
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS, Kind, kind_of
 from certkit.definitions.loading.overrides import Change, Overrides, change
-from certkit.definitions.loading.search_path import FolderShelf, Found, Shelf, shipped_shelf
+from certkit.definitions.loading.search_path import ENDINGS, FolderShelf, Found, Shelf, is_name, shipped_shelf
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
-from certkit.definitions.words import ENDINGS
 from certkit.errors import DefinitionError, OldFormWarning, UsageError
 
 if TYPE_CHECKING:
@@ -154,6 +153,11 @@ def parse(kind: Kind, found: Found, overrides: Overrides | None = None) -> Loade
     for remark in numbered:
         warnings.warn(remark, OldFormWarning, stacklevel=2)
     document = validate(tree, model, kind.check)
+    own = getattr(document, kind.word)
+    if kind.word != "laboratory" and not is_name(own):
+        # Folders and files are called after it, so it must not lead to any other.
+        message = f"`{own}` is no name; use letters, digits, spaces, `-`, `.`"
+        raise DefinitionError([tree.problem((kind.word,), message)])
     if found.name is not None and getattr(document, kind.word) != found.name:
         message = f"the file is called `{found.name}`, so its `{kind.word}` has to be `{found.name}` too"
         raise DefinitionError([tree.problem((kind.word,), message)])
@@ -197,6 +201,12 @@ def search_order(library: Library = ()) -> list[Shelf]:
         if isinstance(entry, Path) and not entry.is_dir():
             raise UsageError(f"the library `{entry}` is no folder; check the path")
     known = [FolderShelf(entry, _shown(entry)) if isinstance(entry, Path) else entry for entry in own]
+    for shelf in known:
+        if isinstance(shelf, FolderShelf) and not shelf.holds_something():
+            raise UsageError(
+                f"the library `{shelf.folder}` holds no definitions; name the folder that has `procedures/`, "
+                "`corridors/` or `models/` in it, or the files themselves"
+            )
     return [*known, shipped_shelf()]
 
 

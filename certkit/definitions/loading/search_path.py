@@ -4,18 +4,27 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import files
+from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
+from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.validation import read_bytes
-from certkit.definitions.shipped import shipped_root
-from certkit.definitions.words import ENDINGS, is_name
-from certkit.errors import UsageError
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.errors import DefinitionError, Problem, UsageError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-    from pathlib import Path
+    from collections.abc import Iterator, Mapping
 
     from certkit.definitions.loading.kinds import Kind
+
+ENDINGS = (".yaml", ".yml")
+
+_NAME = re.compile(r"[^\W_][\w.,()+ -]{0,99}")
+_DEVICE = re.compile(
+    r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE
+)  # Windows opens no file of such a name
 
 
 @dataclass(frozen=True)
@@ -70,25 +79,37 @@ class FolderShelf:
     label: str | None = None
 
     def find(self, kind: Kind, name: str) -> Found | None:
-        """Return the file NAME.yaml; a name never leads out of the folder."""
+        """Return the file NAME.yaml; a name never leads out of the folder.
+
+        Raises
+        ------
+        DefinitionError
+            When there is a file of that name which says of itself no kind: it cannot be read, or is something
+            else. Passing it over would let another definition of that name decide.
+        """
         check_name(kind, name)
         for place in self._places(kind):
-            for ending in ENDINGS:
-                path = place / f"{name}{ending}"
-                if path.is_file() and _is_of(kind, path):
+            for path in _definitions_in(place):
+                if path.stem == name and (kind.lives_in(place) or _kind_in(path, self._file(path)) is kind):
                     return Found(self._label(path), read_bytes(path), self._file(path), name)
         return None
 
     def names(self, kind: Kind) -> list[str]:
         """Return the names of all files of a kind."""
-        found = {
-            path.stem
-            for place in self._places(kind)
-            if place.is_dir()
-            for path in place.iterdir()
-            if path.suffix in ENDINGS and path.is_file() and _is_of(kind, path)
-        }
+        found = set()
+        for place in self._places(kind):
+            for path in _definitions_in(place):
+                try:
+                    if kind.lives_in(place) or _kind_in(path, str(path)) is kind:
+                        found.add(path.stem)
+                except DefinitionError:
+                    continue  # told when it is asked for by its name, and by `certkit validate`
         return sorted(found)
+
+    def holds_something(self) -> bool:
+        """Tell whether there is any file here that looks like a definition."""
+        places = {place for kind in KINDS.values() for place in self._places(kind)}
+        return any(True for place in places for _ in _definitions_in(place))
 
     def _places(self, kind: Kind) -> list[Path]:
         if not kind.folder:
@@ -138,10 +159,45 @@ def check_name(kind: Kind, name: str) -> None:
         raise UsageError(f"`{name}` is no name of a {kind.noun}; use letters, digits, spaces, `-`, `.`")
 
 
-def _is_of(kind: Kind, path: Path) -> bool:
-    """Tell whether a file starts with its kind's key; files of several kinds may lie in one folder."""
-    if kind.lives_in(path.parent):
-        return True
-    with path.open("rb") as stream:
-        head = stream.read(4096)
-    return re.search(rb"^%b\s*:" % kind.word.encode(), head, re.MULTILINE) is not None
+def is_name(text: str) -> bool:
+    """Tell whether a text is a plain name, which leads to no other folder and to no particular file."""
+    plain = _NAME.fullmatch(text) is not None and _DEVICE.fullmatch(text) is None
+    return plain and ".." not in text and not text.endswith((*ENDINGS, ".", " "))
+
+
+@lru_cache(maxsize=1)
+def shipped_root() -> Path:
+    """Return the folder that holds `procedures/`, `corridors/`, `models/` and the others.
+
+    It lies inside an installed package, at the top of a checkout otherwise.
+    """
+    package = Path(str(files("certkit")))
+    inside = package / "shipped"
+    return inside if inside.is_dir() else package.parent
+
+
+def _definitions_in(place: Path) -> Iterator[Path]:
+    """Yield what looks like a definition by its ending, in whatever case that is written."""
+    if place.is_dir():
+        yield from sorted(path for path in place.iterdir() if path.suffix.lower() in ENDINGS)
+
+
+def _kind_in(path: Path, file: str) -> Kind:
+    """Return the kind that a file says it is; files of several kinds may lie in one folder.
+
+    Raises
+    ------
+    DefinitionError
+        When it cannot be read, or begins with the key of no kind.
+    """
+    data = read_bytes(path)
+    for kind in KINDS.values():
+        if data.startswith(f"{kind.word}:".encode()):  # as nearly all do: no need to read the whole file
+            return kind
+    keys = read_tree(data, file).data
+    for key in keys:
+        if key in KINDS:
+            return KINDS[key]
+    first = next(iter(keys), "")
+    words = f"begins with `{first}`, which is no kind of definition; mend it, or give it another name"
+    raise DefinitionError([Problem(file, 1, 1, words)])

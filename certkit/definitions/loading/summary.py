@@ -11,10 +11,10 @@ from certkit.definitions.loading.kinds import KINDS, kind_of
 from certkit.definitions.loading.library import load, names
 from certkit.definitions.loading.lint import kind_in
 from certkit.definitions.loading.parameter_list import ListedParameter, parameters
+from certkit.definitions.loading.search_path import ENDINGS
 from certkit.definitions.loading.validation import read_bytes
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.definitions.procedure import Procedure
-from certkit.definitions.words import ENDINGS
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import certkit
 from certkit.definitions.loading.library import load
-from certkit.definitions.shipped import shipped_root
+from certkit.definitions.loading.search_path import shipped_root
 from certkit.identification.five_steps import extract
 from docs.make.markdown import figure, signed, table
 

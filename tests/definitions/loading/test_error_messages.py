@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from certkit.definitions.loading.library import load
-from certkit.definitions.shipped import shipped_root
+from certkit.definitions.loading.search_path import shipped_root
 from certkit.errors import DefinitionError
 
 if TYPE_CHECKING:

@@ -10,8 +10,7 @@ import pytest
 
 from certkit.definitions.loading.kinds import KINDS, kind_of
 from certkit.definitions.loading.library import load, names, neighbours
-from certkit.definitions.loading.search_path import TextShelf
-from certkit.definitions.shipped import shipped_root
+from certkit.definitions.loading.search_path import TextShelf, shipped_root
 from certkit.errors import DefinitionError, UsageError
 
 PENDULUM = shipped_root() / "procedures" / "pendulum.yaml"
@@ -60,7 +59,76 @@ def test_the_first_of_several_libraries_wins(tmp_path: Path):
 
 
 def test_what_the_own_library_lacks_is_found_among_the_shipped(tmp_path: Path):
+    shutil.copy(PENDULUM, tmp_path)
     assert load("procedure", "inverse", library=[tmp_path]).path == "procedures/inverse.yaml"
+
+
+def test_a_library_in_which_nothing_is_found_is_no_library(tmp_path: Path):
+    (tmp_path / "notes.txt").write_text("procedure: pendulum\n")
+    with pytest.raises(UsageError, match="holds no definitions; name the folder that has"):
+        load("procedure", "pendulum", library=[tmp_path])
+
+
+OURS = PENDULUM.read_text(encoding="utf-8").replace("title: Dynamic", "title: Ours, dynamic")
+
+
+@pytest.mark.parametrize(
+    ("data", "name"),
+    [
+        (b"\xef\xbb\xbf" + OURS.encode(), "pendulum.yaml"),
+        (("# Ours.\n" * 2000 + OURS).encode(), "pendulum.yaml"),
+        (OURS.replace("procedure: pendulum", '"procedure": pendulum').encode(), "pendulum.yaml"),
+        (OURS.replace("procedure: pendulum\n", "").encode() + b"procedure: pendulum\n", "pendulum.yaml"),
+        (b"---\n" + OURS.encode(), "pendulum.yaml"),
+        (OURS.encode(), "pendulum.YML"),
+    ],
+    ids=[
+        "byte order mark",
+        "long comment",
+        "quoted key",
+        "key at the end",
+        "document start",
+        "capital ending",
+    ],
+)
+def test_ones_own_file_decides_however_it_was_saved(tmp_path: Path, data: bytes, name: str):
+    (tmp_path / name).write_bytes(data)
+    assert load("procedure", "pendulum", library=[tmp_path]).document.title.startswith("Ours")
+    assert "pendulum" in names("procedure", [tmp_path])
+
+
+@pytest.mark.parametrize(
+    ("data", "message"),
+    [
+        (OURS.encode("utf-16"), "saved as UTF-16; save it as UTF-8"),
+        (b"", "empty"),
+        (b"# nothing but this\n", "empty"),
+        (b"procedre: pendulum\n", "begins with `procedre`, which is no kind of definition"),
+        (b"[pendulum]\n", "mapping"),
+    ],
+    ids=["utf-16", "empty", "comment", "misspelt", "list"],
+)
+def test_ones_own_file_that_says_no_kind_is_not_passed_over_for_the_shipped_one(
+    tmp_path: Path, data: bytes, message: str
+):
+    (tmp_path / "pendulum.yaml").write_bytes(data)
+    with pytest.raises(DefinitionError, match=message):
+        load("procedure", "pendulum", library=[tmp_path])
+
+
+def test_a_file_of_another_kind_and_the_same_name_is_not_meant(tmp_path: Path):
+    (tmp_path / "pendulum.yaml").write_text("reference: pendulum\ntitle: Peaks\n")
+    assert load("procedure", "pendulum", library=[tmp_path]).path == "procedures/pendulum.yaml"
+
+
+@pytest.mark.parametrize(
+    "name", ["../outside", "/outside", "a/b", "..", "C:\\x", "nul", "COM1.x", "ends.", "x.yaml"]
+)
+def test_no_name_in_a_file_leads_out_of_its_folder(tmp_path: Path, name: str):
+    path = tmp_path / "mine.yaml"
+    path.write_text(OURS.replace("procedure: pendulum", f"procedure: '{name}'"), encoding="utf-8")
+    with pytest.raises(DefinitionError, match=r"mine.yaml:\d+:\d+: .*is no name"):
+        load("procedure", path)
 
 
 def test_a_file_is_read_by_its_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
