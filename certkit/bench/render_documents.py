@@ -5,13 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.documents.result import Result
 from certkit.files import write_whole
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
     from certkit.documents.output_document import OutputDocument
+    from certkit.documents.result import Result
     from certkit.reporting.pdf_certificate import Paper
 
 
@@ -27,7 +27,7 @@ def render(
     Parameters
     ----------
     document : OutputDocument
-        A result, comparison, extraction or logbook overview. An extraction is written with its vehicle file.
+        Any that certkit makes. An extraction is written with its vehicle file.
     out : str or Path
         Folder; made when missing.
     formats : str or collection of str, optional
@@ -60,14 +60,10 @@ def render(
     written = [file, *_vehicle(document, folder)]
     if not asked:
         return written
-    if isinstance(document, Result):
-        from certkit.reporting.writing import render_written  # noqa: PLC0415  # only where a report is wanted
-
-        # From the text, whose numbers are rounded: reports are the ones that the document alone makes.
-        return [*written, *render_written(Result.from_json(text), folder, asked, paper=paper)]
     from certkit.reporting.document_reports import render_document  # noqa: PLC0415  # likewise
 
-    return [*written, *render_document(document, folder, asked, paper=paper)]
+    # From the text, whose numbers are rounded: reports are the ones that the document alone makes.
+    return [*written, *render_document(document.from_json(text), folder, asked, paper=paper)]
 
 
 def render_suite(results: Sequence[Result], out: str | Path, formats: str | Collection[str]) -> list[Path]:

@@ -40,6 +40,7 @@ def calibrate(
     `--library` to run a procedure with the new leg.
     """
     from certkit.cli.counting import resumable  # noqa: PLC0415  # waits until a fit is run
+    from certkit.reporting.study_text import calibration_text  # noqa: PLC0415  # likewise
     from certkit.studies.calibration.fit import make_ready  # noqa: PLC0415  # likewise
     from certkit.studies.calibration.run_calibration import carry_and_write  # noqa: PLC0415  # waits until a fit is run
     from certkit.studies.journal import forget  # noqa: PLC0415  # likewise
@@ -58,12 +59,12 @@ def calibrate(
             sys.stderr.flush()
 
     with resumable():
-        written, text, summary = carry_and_write(
+        written, report = carry_and_write(
             task, folder, family=family, processes=processes, cluster=cluster, tell=tell
         )
     if watched and sys.stderr.isatty():
         sys.stderr.write("\r\033[K")
-    typer.echo(text if as_json else summary, nl=not as_json)
+    typer.echo(report.to_json() if as_json else calibration_text(report), nl=not as_json)
     if not as_json:
         for path in written:
             typer.echo(f"wrote {path}", err=True)

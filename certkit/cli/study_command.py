@@ -41,8 +41,11 @@ def study(
     on where it was. The exit code is 3 when not a single run succeeded.
     """
     from certkit.cli.counting import counting, resumable  # noqa: PLC0415  # waits until a study is run
+    from certkit.documents.study_report import StudyReport  # noqa: PLC0415  # likewise
+    from certkit.reporting.study_text import optimum_text, study_text  # noqa: PLC0415  # likewise
     from certkit.studies.carry_out_study import study as carry_out  # noqa: PLC0415  # likewise
     from certkit.studies.carry_out_study import study_sheet  # noqa: PLC0415  # likewise
+    from certkit.studies.study_documents import report_of  # noqa: PLC0415  # likewise
 
     sheet = study_sheet(document, tuple(library or ()))
     folder = out or Path("runs") / sheet.study
@@ -57,12 +60,11 @@ def study(
             cluster=cluster,
             progress=progress,
         )
+    report = report_of(found)
     if as_json:
-        typer.echo(
-            (folder / ("optimum.json" if sheet.optimise else "study.json")).read_text("utf-8"), nl=False
-        )
+        typer.echo(report.to_json(), nl=False)
     else:
-        typer.echo(found.words())
-        page = folder / ("optimum.html" if sheet.optimise else "study.html")
+        typer.echo(study_text(report) if isinstance(report, StudyReport) else optimum_text(report))
+        page = (folder / report.file_name).with_suffix(".html")
         typer.echo(f"look at {page}; the runs are in {folder / 'table.csv'}", err=True)
     raise typer.Exit(3 if (found.table["error"] != "").all() else 0)

@@ -19,6 +19,9 @@ DOCUMENTS = MappingProxyType(
         "result": "certkit.documents.result:Result",
         "comparison": "certkit.documents.comparison:ComparisonDocument",
         "extraction": "certkit.documents.extraction:ExtractionResult",
+        "study-report": "certkit.documents.study_report:StudyReport",
+        "optimum-report": "certkit.documents.optimum_report:OptimumReport",
+        "calibration-report": "certkit.documents.calibration_report:CalibrationReport",
         "logbook-overview": "certkit.documents.logbook_overview:LegOverview",
     }
 )

@@ -57,10 +57,18 @@ def rounded_frames(frames: Sequence[Sequence[Sequence[float]]]) -> list[list[lis
     return [list(islice(rows, len(frame))) for frame in frames]
 
 
+def rounded_number(value: float | str) -> float | str:
+    """Round a value that may also be a word; a word and a whole number stay as they are."""
+    return rounded(value) if isinstance(value, float) else value
+
+
 Figure = Annotated[float, PlainSerializer(rounded, when_used="json")]
 Figures = Annotated[list[float], PlainSerializer(rounded_all, return_type=list[float], when_used="json")]
 FiguresFixed = Annotated[
     tuple[float, ...], PlainSerializer(rounded_all, return_type=list[float], when_used="json")
+]
+FigureOrWord = Annotated[
+    int | float | str, PlainSerializer(rounded_number, return_type=int | float | str, when_used="json")
 ]
 Point = tuple[Figure, Figure]
 Points = Annotated[list[Point], PlainSerializer(rounded_rows, when_used="json")]

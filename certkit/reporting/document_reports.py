@@ -46,12 +46,18 @@ _PAPER = ("html", "pdf")
 
 REPORTS = {
     "certkit-result/1": DocumentReport(
-        "certkit.reporting.writing:render", ("html", "pdf", "junit", "csv", "md"), _PAPER, takes_paper=True
+        "certkit.reporting.writing:render_written",
+        ("html", "pdf", "junit", "csv", "md"),
+        _PAPER,
+        takes_paper=True,
     ),
     "certkit-comparison/1": DocumentReport("certkit.reporting.comparison_report:render_comparison"),
     "certkit-extraction/1": DocumentReport(
         "certkit.reporting.extraction_report:render_extraction", _PAPER, _PAPER
     ),
+    "certkit-study/1": DocumentReport("certkit.reporting.study_pages:render_study"),
+    "certkit-optimum/1": DocumentReport("certkit.reporting.study_pages:render_optimum"),
+    "certkit-fit/1": DocumentReport("certkit.reporting.study_pages:render_calibration"),
     "certkit-logbook/1": DocumentReport("certkit.reporting.logbook_page:render_logbook"),
 }
 
@@ -64,7 +70,7 @@ def render_document(
     Parameters
     ----------
     document : OutputDocument
-        Nothing else is read.
+        With the digits of its file (`as_written`); nothing else is read.
     out : Path
         Folder; made when missing.
     formats : sequence of str, optional

@@ -72,7 +72,7 @@ def study(  # noqa: PLR0913  # as many as the command has options
         forget(folder / JOURNAL)
     formats = tables.split(",") if isinstance(tables, str) else tables
     write = optimise_and_write if sheet.optimise else carry_and_write
-    found, _ = write(
+    return write(
         sheet,
         folder,
         [word.strip() for word in formats if word.strip()],
@@ -81,7 +81,6 @@ def study(  # noqa: PLR0913  # as many as the command has options
         cluster=cluster,
         progress=progress,
     )
-    return found
 
 
 def study_sheet(document: Study | str | Path, library: Sequence[Path] = ()) -> Study:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from certkit.errors import UsageError
 from certkit.studies.quantity import in_unit, share, split_quantity
@@ -23,7 +23,7 @@ CUT = 3.0
 class Uniform:
     """Every value between two is as likely."""
 
-    word: ClassVar[str] = "uniform"
+    word: ClassVar[Literal["uniform"]] = "uniform"
 
     low: float
     high: float
@@ -37,7 +37,7 @@ class Uniform:
 class NormalFactor:
     """A bell, cut off at `CUT` standard deviations."""
 
-    word: ClassVar[str] = "normal"
+    word: ClassVar[Literal["normal"]] = "normal"
 
     mean: float
     sd: float
@@ -64,7 +64,7 @@ class NormalFactor:
 class Triangular:
     """Likeliest in the middle, impossible at both ends."""
 
-    word: ClassVar[str] = "triangular"
+    word: ClassVar[Literal["triangular"]] = "triangular"
 
     low: float
     mode: float
@@ -82,7 +82,7 @@ class Triangular:
 class Levels:
     """A list of numbers or words, each as likely."""
 
-    word: ClassVar[str] = "levels"
+    word: ClassVar[Literal["levels"]] = "levels"
 
     entries: tuple[Setting, ...]
 

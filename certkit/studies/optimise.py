@@ -99,36 +99,6 @@ class Optimum:
     settings: tuple[str, ...]
     output_units: Mapping[str, str] = field(default_factory=dict)
 
-    def document(self) -> dict[str, Any]:
-        """Return everything but the table as plain data, for JSON."""
-        return {
-            "schema": "certkit-optimum/1",
-            "study": self.name,
-            "title": self.title,
-            "runs": len(self.table),
-            "keeps_all_limits": self.keeps,
-            "slack": self.slack,
-            "best_run": self.best + 1,
-            "settings": list(self.settings),
-            "aims": [{"output": aim.output, "direction": aim.direction} for aim in self.aims],
-            "trade_off": [
-                {"run": row + 1, **{aim.output: float(self.table.iloc[row][aim.output]) for aim in self.aims}}
-                for row in self.curve
-            ],
-        }
-
-    def words(self) -> str:
-        """Return the best settings in some lines for a terminal."""
-        head = (
-            "keeps all limits with the margin"
-            if self.keeps
-            else "no settings keep all limits with the margin"
-        )
-        tight = f"tightest limit: {100 * self.slack:+.1f} % of it beyond what is needed"
-        return "\n".join(
-            [f"{head} ({len(self.table)} runs); {tight}", *(f"--set '{s}'" for s in self.settings)]
-        )
-
 
 def limits_of(trial: Trial) -> dict[str, Limit]:
     """Return the limits of all graded outputs of a study.

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from certkit.documents.study_report import QuickModel
 from certkit.studies.effects import coded
 
 if TYPE_CHECKING:
@@ -18,32 +18,8 @@ if TYPE_CHECKING:
 
     from certkit.studies.factors import Factor
 
-Kind = Literal["linear", "quadratic"]
-
-
-@dataclass(frozen=True)
-class QuickModel:
-    """A polynomial in the coded factors (−1 lowest, +1 highest).
-
-    Parameters
-    ----------
-    output, kind : str
-    terms : tuple of str
-        `1`, a factor's name, `A · B` or `A²`.
-    coefficients : tuple of float
-        One a term, in the output's unit.
-    error : float
-        Root mean square error of predicting each run from all others, in the output's unit.
-    explained : float
-        Share of the variance predicted in this way; 1 is perfect, below 0 is worse than the mean.
-    """
-
-    output: str
-    kind: Kind
-    terms: tuple[str, ...]
-    coefficients: tuple[float, ...]
-    error: float
-    explained: float
+PolynomialKind = Literal["linear", "quadratic"]
+KINDS: tuple[PolynomialKind, ...] = ("linear", "quadratic")
 
 
 def quick_models(table: pd.DataFrame, factors: Sequence[Factor], outputs: Sequence[str]) -> list[QuickModel]:
@@ -55,8 +31,7 @@ def quick_models(table: pd.DataFrame, factors: Sequence[Factor], outputs: Sequen
             continue
         y = known[output].to_numpy(dtype=np.float64)
         settings = coded(known, factors)
-        kinds: tuple[Kind, ...] = ("linear", "quadratic")
-        for kind in kinds:
+        for kind in KINDS:
             terms, x = _terms(settings, [factor.name for factor in factors], kind)
             if len(y) >= 1.5 * len(terms):
                 models.append(_fit(output, kind, terms, x, y))
@@ -64,7 +39,7 @@ def quick_models(table: pd.DataFrame, factors: Sequence[Factor], outputs: Sequen
 
 
 def _terms(
-    settings: NDArray[np.float64], names: list[str], kind: Kind
+    settings: NDArray[np.float64], names: list[str], kind: PolynomialKind
 ) -> tuple[list[str], NDArray[np.float64]]:
     terms, columns = ["1", *names], [np.ones(len(settings)), *settings.T]
     if kind == "quadratic":
@@ -79,7 +54,11 @@ def _terms(
 
 
 def _fit(
-    output: str, kind: Kind, terms: list[str], x: NDArray[np.float64], y: NDArray[np.float64]
+    output: str,
+    kind: PolynomialKind,
+    terms: list[str],
+    x: NDArray[np.float64],
+    y: NDArray[np.float64],
 ) -> QuickModel:
     inverse = np.linalg.pinv(x)
     coefficients = inverse @ y
@@ -90,5 +69,10 @@ def _fit(
     error = float(np.mean(left_out**2))
     explained = 1 - error / total if total > 0 else 1.0
     return QuickModel(
-        output, kind, tuple(terms), tuple(float(c) for c in coefficients), float(np.sqrt(error)), explained
+        output=output,
+        kind=kind,
+        terms=terms,
+        coefficients=[float(c) for c in coefficients],
+        error=float(np.sqrt(error)),
+        explained=explained,
     )

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from certkit.files import write_whole
+from certkit.bench.render_documents import render
 from certkit.studies.optimise import limits_of, optimise
 from certkit.studies.run_table import check_formats, write_table
 from certkit.studies.runs import Runs
+from certkit.studies.study_documents import optimum_report, study_report
 from certkit.studies.study_findings import set_up, study
-from certkit.studies.study_pages import optimum_page, study_page
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
@@ -57,7 +56,7 @@ def optimise_and_write(
     processes: int | None = None,
     cluster: str | None = None,
     progress: Progress | None = None,
-) -> tuple[Optimum, str]:
+) -> Optimum:
     """Carry an optimisation out and write its table, what it found and its page; see `carry_and_write`."""
     check_formats(formats)
     found = optimum(
@@ -70,10 +69,8 @@ def optimise_and_write(
     )
     units = {factor.name: factor.unit for factor in found.factors}
     write_table(found.table, folder, "table", {**units, **found.output_units}, formats)
-    text = json.dumps(found.document(), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
-    write_whole(folder / "optimum.json", text)
-    write_whole(folder / "optimum.html", optimum_page(found))
-    return found, text
+    render(optimum_report(found), folder)
+    return found
 
 
 def carry_and_write(
@@ -85,14 +82,12 @@ def carry_and_write(
     processes: int | None = None,
     cluster: str | None = None,
     progress: Progress | None = None,
-) -> tuple[Findings, str]:
+) -> Findings:
     """Carry a study out and write its table, its findings and its page.
 
     Returns
     -------
     Findings
-    str
-        The findings as JSON text.
     """
     check_formats(formats)
     findings = study(
@@ -104,7 +99,5 @@ def carry_and_write(
         progress=progress,
     )
     write_table(findings.table, folder, "table", {**findings.units, **findings.output_units}, formats)
-    text = json.dumps(findings.document(), ensure_ascii=False, indent=1, allow_nan=False) + "\n"
-    write_whole(folder / "study.json", text)
-    write_whole(folder / "study.html", study_page(findings))
-    return findings, text
+    render(study_report(findings), folder)
+    return findings

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+
+from certkit.documents.study_report import Chance
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -13,35 +14,6 @@ if TYPE_CHECKING:
 
 MARGIN = " margin"
 CONFIDENCE = 0.95
-
-
-@dataclass(frozen=True)
-class Chance:
-    """How often a criterion stayed inside.
-
-    Parameters
-    ----------
-    criterion : str
-        `PROCEDURE/CRITERION`, or `all` for every graded criterion at once.
-    inside, runs : int
-        A run without the value counts as outside: missing never passes.
-    probability, lower, upper : float
-        Share inside with its 95 % interval after Clopper and Pearson, which never promises too much.
-    distance : float
-        Mean margin in standard deviations of the margin; the smallest fails first. NaN for `all` or no
-        scatter.
-    first : int
-        Runs in which this criterion is the one farthest outside.
-    """
-
-    criterion: str
-    inside: int
-    runs: int
-    probability: float
-    lower: float
-    upper: float
-    distance: float
-    first: int
 
 
 def chances(table: pd.DataFrame) -> list[Chance]:
@@ -60,13 +32,13 @@ def chances(table: pd.DataFrame) -> list[Chance]:
         _chance(
             name.removesuffix(MARGIN),
             np.asarray(inside[:, i]),
-            float(np.nanmean(margins[:, i]) / spread[i]) if spread[i] > 0 else float("nan"),
+            float(np.nanmean(margins[:, i]) / spread[i]) if spread[i] > 0 else None,
             int((worst == i).sum()),
         )
         for i, name in enumerate(columns)
     ]
-    rows.sort(key=lambda row: (row.probability, np.inf if np.isnan(row.distance) else row.distance))
-    return [*rows, _chance("all", np.asarray(inside.all(axis=1)), float("nan"), int(failing.sum()))]
+    rows.sort(key=lambda row: (row.probability, np.inf if row.distance is None else row.distance))
+    return [*rows, _chance("all", np.asarray(inside.all(axis=1)), None, int(failing.sum()))]
 
 
 def _sd(column: NDArray[np.float64]) -> float:
@@ -74,11 +46,18 @@ def _sd(column: NDArray[np.float64]) -> float:
     return float(known.std(ddof=1)) if known.size > 1 else 0.0
 
 
-def _chance(criterion: str, inside: NDArray[np.bool_], distance: float, first: int) -> Chance:
+def _chance(criterion: str, inside: NDArray[np.bool_], distance: float | None, first: int) -> Chance:
     from scipy.stats import binomtest  # noqa: PLC0415  # slow to import
 
     count, runs = int(inside.sum()), int(inside.size)
     interval = binomtest(count, runs).proportion_ci(CONFIDENCE, method="exact")
     return Chance(
-        criterion, count, runs, count / runs, float(interval.low), float(interval.high), distance, first
+        criterion=criterion,
+        inside=count,
+        runs=runs,
+        probability=count / runs,
+        lower=float(interval.low),
+        upper=float(interval.high),
+        distance=distance,
+        first=first,
     )

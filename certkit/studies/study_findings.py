@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from certkit.definitions.loading.library import load
 from certkit.definitions.study import Study
 from certkit.errors import UsageError
-from certkit.reporting.plaintext import aligned
 from certkit.studies.designs import (
     correlation_matrix,
     full_factorial,
@@ -29,10 +28,9 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from certkit.definitions.study import Design
+    from certkit.documents.study_report import Chance, QuickModel
     from certkit.studies.points import Point
-    from certkit.studies.quick_model import QuickModel
     from certkit.studies.runs import Progress
-    from certkit.studies.scatter import Chance
 
 
 @dataclass(frozen=True)
@@ -65,30 +63,6 @@ class Findings:
     chances: list[Chance] = field(default_factory=list)
     output_units: dict[str, str] = field(default_factory=dict)
 
-    def words(self) -> str:
-        """Return the chances, or else the strongest effects, in some lines for a terminal."""
-        runs = f"{len(self.table)} runs" + (f", {self.failed} failed" if self.failed else "")
-        if self.chances:
-            heads = ("criterion", "inside", "probability", "95 % interval")
-            rows = [
-                (
-                    c.criterion,
-                    f"{c.inside} of {c.runs}",
-                    f"{c.probability:.3f}",
-                    f"{c.lower:.3f} to {c.upper:.3f}",
-                )
-                for c in self.chances
-            ]
-            return f"{aligned(heads, rows, right=(1, 2, 3))}\n{runs}"
-        strongest = self.effects.loc[self.effects.groupby("output", sort=False)["share"].idxmax()]
-        rows = [
-            (str(e["output"]), str(e["factor"]), f"{e['effect']:+.4g}", self.output_units[str(e["output"])])
-            for e in strongest.to_dict(orient="records")
-            if e["output"] in self.output_units
-        ]
-        heads = ("output", "moved most by", "effect", "unit")
-        return f"{aligned(heads, rows, right=(2,))}\n{runs}"
-
     @property
     def units(self) -> dict[str, str]:
         """Units of the factors' columns."""
@@ -98,27 +72,6 @@ class Findings:
     def failed(self) -> int:
         """Number of runs that ended with an error."""
         return int((self.table[ERROR] != "").sum())
-
-    def document(self) -> dict[str, Any]:
-        """Return everything but the table as plain data, for JSON."""
-        return {
-            "schema": "certkit-study/1",
-            "study": self.name,
-            "title": self.title,
-            "design": self.design,
-            "runs": len(self.table),
-            "failed": self.failed,
-            "factors": [
-                {"name": f.name, "unit": f.unit, "nominal": f.nominal, **_described(f)} for f in self.factors
-            ],
-            "effects": _records(self.effects),
-            "indices": None if self.indices is None else _records(self.indices),
-            "models": [asdict(model) for model in self.models],
-            "chances": [
-                {k: None if v != v else v for k, v in asdict(chance).items()}  # noqa: PLR0124  # NaN
-                for chance in self.chances
-            ],
-        }
 
 
 def study(
@@ -246,15 +199,4 @@ def numeric_outputs(table: pd.DataFrame, factors: Sequence[Factor]) -> list[str]
         str(name)
         for name in table
         if name not in inputs and table[name].dtype.kind == "f" and not str(name).endswith(" margin")
-    ]
-
-
-def _described(factor: Factor) -> dict[str, Any]:
-    return {"distribution": factor.distribution.word, **asdict(factor.distribution)}
-
-
-def _records(frame: pd.DataFrame) -> list[dict[str, Any]]:
-    return [
-        {str(k): None if v != v else v for k, v in row.items()}  # noqa: PLR0124  # NaN
-        for row in frame.astype(object).to_dict(orient="records")
     ]

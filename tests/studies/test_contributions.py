@@ -11,11 +11,12 @@ from support import toys
 
 from certkit.definitions.study import Study
 from certkit.errors import RunError
+from certkit.reporting.study_pages import study_page
 from certkit.studies.factors import Factor, Uniform
 from certkit.studies.runs import Runs
 from certkit.studies.scatter import chances
+from certkit.studies.study_documents import study_report
 from certkit.studies.study_findings import Findings, carry_out
-from certkit.studies.study_pages import study_page
 
 AB = [Factor("a", "mm", Uniform(0.0, 2.0), 1.0), Factor("b", "kg", Uniform(-1.0, 3.0), 1.0)]
 XYZ = [Factor(f"x{i}", "", Uniform(-math.pi, math.pi)) for i in (1, 2, 3)]
@@ -148,7 +149,7 @@ def test_without_graded_criteria_there_are_no_chances() -> None:
 
 
 def test_the_page_names_every_output_and_parameter_and_runs_nothing() -> None:
-    page = study_page(carried({"kind": "latin hypercube", "runs": 20}, AB, toys.linear))
+    page = study_page(study_report(carried({"kind": "latin hypercube", "runs": 20}, AB, toys.linear)))
     assert "<script" not in page
     for words in ("A toy", ">y<", ">a<", "Quick model"):
         assert words in page

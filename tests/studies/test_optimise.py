@@ -8,10 +8,12 @@ import pytest
 
 from certkit.definitions.study import Study
 from certkit.errors import RunError, UsageError
+from certkit.reporting.study_pages import optimum_page
+from certkit.reporting.study_text import optimum_text
 from certkit.studies.factors import Factor, NormalFactor, Uniform
 from certkit.studies.optimise import Limit, Optimum, limits_of, optimise
 from certkit.studies.runs import Runs
-from certkit.studies.study_pages import optimum_page
+from certkit.studies.study_documents import optimum_report
 from certkit.studies.trial import Trial
 
 AB = [Factor("a", "mm", Uniform(0.0, 10.0), 1.0), Factor("b", "", Uniform(0.0, 10.0), 1.0)]
@@ -68,13 +70,13 @@ def test_a_trade_off_rises_in_one_aim_as_it_falls_in_the_other() -> None:
     assert curve["cost"].is_monotonic_increasing
     assert curve["weight"].is_monotonic_decreasing
     assert (curve["p/T1"] <= 9.0).all()
-    assert "Trade-off" in optimum_page(found)
+    assert "Trade-off" in optimum_page(optimum_report(found))
 
 
 def test_limits_that_cannot_be_kept_are_said_so() -> None:
     found = searched(evaluations=100, margin="120 %")
     assert not found.keeps
-    assert found.words().startswith("no settings keep all limits")
+    assert optimum_text(optimum_report(found)).startswith("no settings keep all limits")
 
 
 def test_the_same_seed_walks_the_same_way() -> None:

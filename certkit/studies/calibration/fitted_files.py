@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING, Any
 
 import yaml
 
+from certkit._version import __version__
 from certkit.definitions.loading.kinds import kind_of
 from certkit.definitions.loading.library import find
 from certkit.definitions.loading.overrides import ORIGIN, change
 from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.documents.calibration_report import (
+    CalibrationReport,
+    FittedParameter,
+    FittedValue,
+    StrongCorrelation,
+)
 from certkit.files import write_whole
 from certkit.studies.calibration.leg_family import passes
 from certkit.studies.quantity import written
@@ -29,7 +35,7 @@ NUMBER = {"value", "source", "confidence"}
 
 
 def write_fit(calibration: Calibration, folder: Path) -> list[Path]:
-    """Write `LEGFORM.yaml`, one `PROCEDURE.yaml` for every rig that was fitted too, and `fit.json`.
+    """Write `LEGFORM.yaml` and a `PROCEDURE.yaml` for every rig that was fitted too.
 
     All numbers that were free carry the confidence `calibrated` and the fit's name.
     """
@@ -43,9 +49,6 @@ def write_fit(calibration: Calibration, folder: Path) -> list[Path]:
     for (kind, name), changed in overrides.items():
         paths.append(folder / f"{name}.yaml")
         write_whole(paths[-1], _document(calibration, kind, name, changed))
-    paths.append(folder / "fit.json")
-    text = json.dumps(report(calibration), ensure_ascii=False, indent=1, allow_nan=False)
-    write_whole(paths[-1], text + "\n")
     return paths
 
 
@@ -91,52 +94,53 @@ def changes(calibration: Calibration, shares: NDArray[Any]) -> list[tuple[str, s
     return found
 
 
-def report(calibration: Calibration) -> dict[str, Any]:
-    """Return the report of a fit as plain data."""
+def report(calibration: Calibration) -> CalibrationReport:
+    """Return the document of a calibration."""
     task, known = calibration.task, calibration.knowledge
-    return {
-        "schema": "certkit-fit/1",
-        "fit": task.sheet.fit,
-        "title": task.sheet.title,
-        "legform": task.sheet.legform,
-        "runs": calibration.runs,
-        "rms_before": calibration.rms(calibration.before),
-        "rms_after": calibration.rms(calibration.after),
-        "passes": passes(calibration.after, task.trial.procedures),
-        "values": [
-            {
-                "name": goal.name,
-                "unit": goal.unit,
-                "aim": goal.aim,
-                "counts_as_one": goal.scale,
-                "graded": goal.graded,
-                "before": calibration.before.outputs.get(goal.name),
-                "after": calibration.after.outputs.get(goal.name),
-                "distance_before": goal.distance(calibration.before.outputs.get(goal.name)),
-                "distance_after": goal.distance(calibration.after.outputs.get(goal.name)),
-            }
+    before, after = calibration.before.outputs, calibration.after.outputs
+    return CalibrationReport(
+        fit=task.sheet.fit,
+        title=task.sheet.title,
+        legform=task.sheet.legform,
+        runs=calibration.runs,
+        rms_before=calibration.rms(calibration.before),
+        rms_after=calibration.rms(calibration.after),
+        passes=passes(calibration.after, task.trial.procedures),
+        values=[
+            FittedValue(
+                name=goal.name,
+                unit=goal.unit,
+                aim=goal.aim,
+                counts_as_one=goal.scale,
+                graded=goal.graded,
+                before=before.get(goal.name),
+                after=after.get(goal.name),
+                distance_before=goal.distance(before.get(goal.name)),
+                distance_after=goal.distance(after.get(goal.name)),
+            )
             for goal in task.goals
         ],
-        "parameters": [
-            {
-                "name": axis.name,
-                "unit": axis.unit,
-                "before": axis.start,
-                "after": axis.value(float(share)),
-                "deviation": known.deviations[axis.name],
-                "lower": axis.low,
-                "upper": axis.high,
-                "narrowed_to": known.narrowed[axis.name],
-                "determined": axis.name not in known.undetermined,
-                "reason": parameter.reason,
-            }
+        parameters=[
+            FittedParameter(
+                name=axis.name,
+                unit=axis.unit,
+                before=axis.start,
+                after=axis.value(float(share)),
+                deviation=known.deviations[axis.name],
+                lower=axis.low,
+                upper=axis.high,
+                narrowed_to=known.narrowed[axis.name],
+                determined=axis.name not in known.undetermined,
+                reason=parameter.reason,
+            )
             for axis, share, parameter in zip(
                 task.space.axes, calibration.shares, task.sheet.parameters, strict=True
             )
         ],
-        "correlations": [{"between": [a, b], "coefficient": c} for a, b, c in known.correlations],
-        "open_directions": [{"spread": d.spread, "parts": dict(d.parts)} for d in known.open],
-    }
+        correlations=[StrongCorrelation(between=(a, b), coefficient=c) for a, b, c in known.correlations],
+        open_directions=list(known.open),
+        certkit=__version__,
+    ).with_id()
 
 
 def _document(calibration: Calibration, kind: str, name: str, overrides: Overrides) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.documents.calibration_report import OpenDirection
 from certkit.studies.calibration.targets import FLAT, WITHIN
 
 if TYPE_CHECKING:
@@ -19,14 +20,6 @@ LEARNT = 0.8
 
 STRONG = 0.6
 """Correlations from here on are told."""
-
-
-@dataclass(frozen=True)
-class Direction:
-    """Parameters that can change together without the tests noticing: each with its part of the direction."""
-
-    spread: float
-    parts: tuple[tuple[str, float], ...]
 
 
 @dataclass(frozen=True)
@@ -43,7 +36,7 @@ class Knowledge:
         Of the shares.
     correlations : tuple of (str, str, float)
         Strong ones, strongest first.
-    open : tuple of Direction
+    open : tuple of OpenDirection
         Directions that the tests leave open, widest first.
     """
 
@@ -51,7 +44,7 @@ class Knowledge:
     narrowed: dict[str, float]
     covariance: NDArray[np.float64]
     correlations: tuple[tuple[str, str, float], ...]
-    open: tuple[Direction, ...]
+    open: tuple[OpenDirection, ...]
 
     @property
     def undetermined(self) -> list[str]:
@@ -85,7 +78,7 @@ def knowledge(space: Space, shares: NDArray[np.float64], jacobian: NDArray[np.fl
     ]
     spreads, vectors = np.linalg.eigh(covariance)
     left = [
-        Direction(float(np.sqrt(spreads[i]) / FLAT), _parts(names, vectors[:, i]))
+        OpenDirection(spread=float(np.sqrt(spreads[i]) / FLAT), parts=_parts(names, vectors[:, i]))
         for i in reversed(range(len(names)))
         if np.sqrt(spreads[i]) > LEARNT * FLAT
     ]
@@ -101,8 +94,8 @@ def knowledge(space: Space, shares: NDArray[np.float64], jacobian: NDArray[np.fl
     )
 
 
-def _parts(names: list[str], vector: NDArray[np.float64]) -> tuple[tuple[str, float], ...]:
+def _parts(names: list[str], vector: NDArray[np.float64]) -> dict[str, float]:
     """Return the parameters that make up most of a direction, largest first, with a fixed sign."""
     order = np.argsort(-np.abs(vector))
     sign = 1.0 if vector[order[0]] > 0 else -1.0
-    return tuple((names[i], float(sign * vector[i])) for i in order if abs(vector[i]) > 0.25)
+    return {names[i]: float(sign * vector[i]) for i in order if abs(vector[i]) > 0.25}

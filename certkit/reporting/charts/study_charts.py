@@ -15,21 +15,19 @@ WIDTH = 640.0
 BAR = 16.0
 NAMES = 250.0
 FIGURES = 70.0  # room for the numbers at the right
-MOST_DOTS = 600
-"""Dots in one scatter figure: more cannot be told apart and make the page heavy."""
 
 
-def tornado(rows: Sequence[tuple[str, float, float, float]], title: str, unit: str) -> str:
+def tornado(rows: Sequence[tuple[str, float, float | None, float | None]], title: str, unit: str) -> str:
     """Draw one bar a parameter from zero to its effect, the longest on top, with its interval as a whisker.
 
     Parameters
     ----------
     rows : sequence of (name, effect, lower, upper)
-        Lower and upper end of the whisker; NaN leaves it out.
+        Lower and upper end of the whisker; None leaves it out.
     title, unit : str
     """
     rows = sorted(rows, key=lambda row: -abs(row[1]))
-    known = [value for row in rows for value in (0.0, *row[1:]) if value == value]  # noqa: PLR0124  # NaN
+    known = [value for row in rows for value in (0.0, *row[1:]) if value is not None]
     low, high = span(known)
     scale = Scale(low, high, NAMES, WIDTH - FIGURES)
     height = 24 + len(rows) * (BAR + 8) + 34
@@ -45,7 +43,7 @@ def tornado(rows: Sequence[tuple[str, float, float, float]], title: str, unit: s
         pen = PENS[0] if effect >= 0 else PENS[1]
         parts.append(label(NAMES - 10, top + 12, name, text_anchor="end"))
         parts.append(tag("rect", x=left, y=top, width=right - left, height=BAR, fill=pen.colour))
-        if lower == lower and upper == upper:  # noqa: PLR0124  # NaN
+        if lower is not None and upper is not None:
             middle = top + BAR / 2
             parts.append(
                 tag(
@@ -88,7 +86,6 @@ def dots(
         Joined in order; none when empty.
     """
     width, height, left, top, bottom = 300.0, 220.0, 52.0, 22.0, 182.0
-    stride = max(1, -(-len(x) // MOST_DOTS))
     across = Scale(*span([*x, *(a for a, _ in line)]), left, width - 8)
     up = Scale(*span([*y, *(b for _, b in line)]), bottom, top)
     parts = [
@@ -106,7 +103,7 @@ def dots(
     )
     parts += [
         tag("circle", cx=across(a), cy=up(b), r=1.8, fill=PENS[0].colour, fill_opacity="0.55")
-        for a, b in zip(x[::stride], y[::stride], strict=True)
+        for a, b in zip(x, y, strict=True)
     ]
     if line:
         data = "M" + "L".join(f"{number(across(a))} {number(up(b))}" for a, b in line)

@@ -1,0 +1,77 @@
+"""`CalibrationReport`: what a calibration came to and how well the tests know it (schema `certkit-fit/1`)."""
+
+from __future__ import annotations
+
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from certkit.documents.output_document import OutputDocument, Part
+from certkit.documents.rounding import Figure, FigureOrWord
+
+
+class FittedValue(Part):
+    """A value of a test, before and after, and its distance from where it should be."""
+
+    name: Annotated[str, Field(description="`PROCEDURE/CRITERION`.")]
+    unit: str
+    aim: Figure
+    counts_as_one: Annotated[
+        Figure, Field(description="What counts as a distance of one: half the corridor, or the tolerance.")
+    ]
+    graded: bool
+    before: FigureOrWord | None
+    after: FigureOrWord | None
+    distance_before: Figure
+    distance_after: Figure
+
+
+class FittedParameter(Part):
+    """A parameter that was free, in its unit."""
+
+    name: str
+    unit: str
+    before: Figure
+    after: Figure
+    deviation: Annotated[Figure, Field(description="Standard deviation that the tests leave.")]
+    lower: Annotated[Figure, Field(description="Bound.")]
+    upper: Annotated[Figure, Field(description="Bound.")]
+    narrowed_to: Annotated[Figure, Field(description="Deviation as a part of what the bounds alone leave.")]
+    determined: Annotated[bool, Field(description="False: the tests say hardly more than the bounds.")]
+    reason: Annotated[str, Field(description="Why these bounds.")] = ""
+
+
+class StrongCorrelation(Part):
+    """Two parameters that the tests cannot well tell apart."""
+
+    between: tuple[str, str]
+    coefficient: Figure
+
+
+class OpenDirection(Part):
+    """Parameters that can change together without the tests noticing."""
+
+    spread: Annotated[Figure, Field(description="As a part of the bounds' own spread.")]
+    parts: Annotated[dict[str, Figure], Field(description="Each parameter's part of the direction.")]
+
+
+class CalibrationReport(OutputDocument):
+    """What a calibration came to."""
+
+    noun: ClassVar = "calibration report"
+    file_name: ClassVar = "fit.json"
+    made_by: ClassVar = "certkit calibrate"
+
+    schema_: Annotated[Literal["certkit-fit/1"], Field(alias="schema")] = "certkit-fit/1"
+    fit: str
+    title: str
+    legform: str
+    runs: int
+    rms_before: Figure
+    rms_after: Figure
+    passes: Annotated[bool, Field(description="Whether every graded criterion passes.")]
+    values: list[FittedValue]
+    parameters: list[FittedParameter]
+    correlations: list[StrongCorrelation]
+    open_directions: list[OpenDirection]
+    certkit: str = ""

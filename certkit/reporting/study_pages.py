@@ -1,0 +1,118 @@
+"""The pages of a study, of an optimisation and of a calibration, each from its document alone.
+
+HTML in the certificates' style, without a script.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from certkit.files import write_whole
+from certkit.reporting.charts.study_charts import dots, tornado
+from certkit.reporting.static_page import sheet
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+    from pathlib import Path
+
+    from certkit.documents.calibration_report import CalibrationReport
+    from certkit.documents.optimum_report import OptimumReport
+    from certkit.documents.rounding import FigureOrWord
+    from certkit.documents.study_report import Cloud, StudyReport, VariedParameter
+
+
+def render_study(document: StudyReport, out: Path, formats: Collection[str]) -> list[Path]:
+    """Write `study.html` when it is wanted, and return what was written."""
+    return _written(out / "study.html", study_page(document)) if "html" in formats else []
+
+
+def render_optimum(document: OptimumReport, out: Path, formats: Collection[str]) -> list[Path]:
+    """Write `optimum.html` when it is wanted, and return what was written."""
+    return _written(out / "optimum.html", optimum_page(document)) if "html" in formats else []
+
+
+def render_calibration(document: CalibrationReport, out: Path, formats: Collection[str]) -> list[Path]:
+    """Write `fit.html` when it is wanted, and return what was written."""
+    return _written(out / "fit.html", calibration_page(document)) if "html" in formats else []
+
+
+def _written(path: Path, page: str) -> list[Path]:
+    write_whole(path, page)
+    return [path]
+
+
+def study_page(document: StudyReport) -> str:
+    """Return the page of a study: what moves what, by how much, in which direction."""
+    return sheet(
+        "study.html.j2",
+        document.title,
+        study=document,
+        sections=[_section(document, name) for name in document.outputs],
+        factors=[_range(factor) for factor in document.factors],
+    )
+
+
+def _section(document: StudyReport, output: str) -> dict[str, Any]:
+    unit = document.output_units.get(output, "")
+    effects = [effect for effect in document.effects if effect.output == output]
+    rows = [(effect.factor, effect.effect, effect.lower, effect.upper) for effect in effects]
+    units = {factor.name: factor.unit for factor in document.factors} | document.output_units
+    return {
+        "output": output,
+        "unit": unit,
+        "effects": sorted(effects, key=lambda effect: -abs(effect.effect)),
+        "tornado": tornado(rows, f"{output}: effect of each parameter", unit or "its unit"),
+        "scatters": [
+            _cloud(cloud, f"{output} against {cloud.x_name}", units)
+            for cloud in document.clouds
+            if cloud.y_name == output
+        ],
+        "models": [model for model in document.models if model.output == output],
+        "indices": [index for index in document.indices or [] if index.output == output],
+    }
+
+
+def _cloud(cloud: Cloud, title: str, units: dict[str, str]) -> str:
+    axes = (_with_unit(cloud.x_name, units), _with_unit(cloud.y_name, units))
+    return dots(cloud.x, cloud.y, title, axes, cloud.line)
+
+
+def _range(factor: VariedParameter) -> dict[str, str]:
+    """Say how a factor varies, in words."""
+    if factor.entries is not None:
+        words = ", ".join(_quantity(entry, factor.unit) for entry in factor.entries)
+    else:
+        low, high = factor.low or 0.0, factor.high or 0.0
+        words = f"{_quantity(f'{low:.6g} to {high:.6g}', factor.unit, word=False)}, {factor.distribution}"
+    nominal = "–" if factor.nominal is None else _quantity(factor.nominal, factor.unit, word=False)
+    return {"name": factor.name, "range": words, "nominal": nominal}
+
+
+def _quantity(value: FigureOrWord, unit: str, *, word: bool = True) -> str:
+    """Write a value with its unit; a word has none."""
+    return f"{value}" if not unit or (word and isinstance(value, str)) else f"{value} {unit}"
+
+
+def _with_unit(name: str, units: dict[str, str]) -> str:
+    return f"{name}, {units[name]}" if units.get(name) else name
+
+
+def optimum_page(document: OptimumReport) -> str:
+    """Return the page of an optimisation: best settings, their values, and the trade-off of two aims."""
+    settings = [
+        {**_range(factor), "best": _quantity(f"{document.best[factor.name]:.6g}", factor.unit, word=False)}
+        for factor in document.factors
+    ]
+    units = {value.name: value.unit for value in document.outputs}
+    return sheet(
+        "optimum.html.j2",
+        document.title,
+        optimum=document,
+        settings=settings,
+        curve="" if document.cloud is None else _cloud(document.cloud, "Trade-off of two aims", units),
+    )
+
+
+def calibration_page(document: CalibrationReport) -> str:
+    """Return the page of a calibration: values before and after, and how well each parameter is known."""
+    return sheet("fit.html.j2", document.title, fit=document)

@@ -1,0 +1,73 @@
+"""Studies, optimisations and calibrations in some lines for a terminal, from their documents alone."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.reporting.plaintext import aligned
+
+if TYPE_CHECKING:
+    from certkit.documents.calibration_report import CalibrationReport
+    from certkit.documents.optimum_report import OptimumReport
+    from certkit.documents.rounding import FigureOrWord
+    from certkit.documents.study_report import StudyReport
+
+
+def study_text(document: StudyReport) -> str:
+    """Return the chances to stay inside, or else the strongest effect on each output."""
+    runs = f"{document.runs} runs" + (f", {document.failed} failed" if document.failed else "")
+    if document.chances:
+        heads = ("criterion", "inside", "probability", "95 % interval")
+        rows = [
+            (
+                c.criterion,
+                f"{c.inside} of {c.runs}",
+                f"{c.probability:.3f}",
+                f"{c.lower:.3f} to {c.upper:.3f}",
+            )
+            for c in document.chances
+        ]
+        return f"{aligned(heads, rows, right=(1, 2, 3))}\n{runs}"
+    heads = ("output", "moved most by", "effect", "unit")
+    rows = []
+    for output in dict.fromkeys(effect.output for effect in document.effects):
+        if output in document.output_units:
+            most = max((e for e in document.effects if e.output == output), key=lambda e: e.share)
+            rows.append((output, most.factor, f"{most.effect:+.4g}", document.output_units[output]))
+    return f"{aligned(heads, rows, right=(2,))}\n{runs}"
+
+
+def optimum_text(document: OptimumReport) -> str:
+    """Return the best settings."""
+    head = (
+        "keeps all limits with the margin"
+        if document.keeps_all_limits
+        else "no settings keep all limits with the margin"
+    )
+    tight = f"tightest limit: {100 * document.slack:+.1f} % of it beyond what is needed"
+    settings = (f"--set '{setting}'" for setting in document.settings)
+    return "\n".join([f"{head} ({document.runs} runs); {tight}", *settings])
+
+
+def calibration_text(document: CalibrationReport) -> str:
+    """Return the values before and after, and how well the parameters are known."""
+    heads = ("value", "should be", "before", "after", "unit", "distance")
+    rows = [
+        (v.name, f"{v.aim:.4g}", _figure(v.before), _figure(v.after), v.unit, f"{v.distance_after:+.2f}")
+        for v in document.values
+    ]
+    before, after = document.rms_before, document.rms_after
+    distances = f"rms distance {before:.3f} before, {after:.3f} after ({document.runs} runs)"
+    lines = [
+        aligned(heads, rows, right=(1, 2, 3, 5)),
+        distances,
+        "every graded criterion passes" if document.passes else "not every graded criterion passes",
+    ]
+    open_ones = [parameter.name for parameter in document.parameters if not parameter.determined]
+    if open_ones:
+        lines.append(f"not determined by these tests: {', '.join(open_ones)}")
+    return "\n".join(lines)
+
+
+def _figure(value: FigureOrWord | None) -> str:
+    return f"{value:.4g}" if isinstance(value, float) else "–"
