@@ -17,6 +17,7 @@ from certkit.exchange.codes import code_table
 from certkit.exchange.conditions import read_condition
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
 from certkit.grading.grading_terms import LaboratoryTerms
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -72,13 +73,14 @@ def _sensor_checks(laboratory: Laboratory) -> tuple[PreconditionResult, ...]:
     rows = []
     for sensor in laboratory.sensors:
         left = (sensor.expires - day).days
-        reason = ""
+        reason = None
         if sensor in expired:
-            when = (
-                f"expired on {sensor.expires}" if left < 0 else f"was calibrated on {sensor.calibrated} only"
-            )
-            reason = (
-                f"the calibration of sensor {sensor.serial} ({sensor.channel}) {when}; the test was on {day}"
+            reason = Reason.of(
+                "sensor-expired" if left < 0 else "sensor-calibrated-later",
+                sensor=sensor.serial,
+                channel=sensor.channel,
+                day=str(sensor.expires if left < 0 else sensor.calibrated),
+                tested=str(day),
             )
         rows.append(
             PreconditionResult(
@@ -87,7 +89,7 @@ def _sensor_checks(laboratory: Laboratory) -> tuple[PreconditionResult, ...]:
                 unit="d",
                 lower=0.0,
                 verdict="fail" if reason else "pass",
-                reason=reason,
+                coded_reason=reason,
             )
         )
     return tuple(rows)

@@ -9,6 +9,7 @@ from pydantic import Field
 from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.result import ComparisonRow, Verdict
 from certkit.documents.rounding import Figure, Figures
+from certkit.reasons import Reason
 
 
 class Side(Part):
@@ -34,6 +35,7 @@ class ChannelRating(Part):
     overall: Figure | None = None
     grade: str = ""
     reason: str = ""
+    coded_reason: Reason | None = None
 
 
 class Overlay(Part):
@@ -69,3 +71,4 @@ class ComparisonDocument(OutputDocument):
     grade: str = ""
     overlays: list[Overlay] = Field(default_factory=list)
     notes: list[str] = Field(default_factory=list)
+    coded_notes: list[Reason] = Field(default_factory=list)

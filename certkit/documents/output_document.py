@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Self, get_arg
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from certkit.documents.wording import without_words
 from certkit.errors import DataError
 from certkit.files import write_whole
 
@@ -135,10 +136,11 @@ class OutputDocument(Part):
         """Return the id that the content makes, such as `3F9A-1C07-8B2E-44D1`: 64 bits of a SHA-256.
 
         It covers all fields but itself and those marked `NOT_IN_ID`: what depends on clock, machine or
-        language. Numbers count with the seven digits of the file. Fields with their default value are left
+        language, and the words of coded reasons. Numbers count with the seven digits of the file. Fields with their default value are left
         out too, so that a later certkit, whose document has more fields, comes to the same id.
         """
-        counted = self.model_dump_json(exclude={"id": True, **_outside(type(self))}, exclude_defaults=True)
+        left_out = {"id": True, **_outside(type(self))}
+        counted = without_words(self).model_dump_json(exclude=left_out, exclude_defaults=True)
         digest = hashlib.sha256(counted.encode()).hexdigest()[:ID_LENGTH].upper()
         return "-".join(digest[i : i + ID_GROUP] for i in range(0, ID_LENGTH, ID_GROUP))
 

@@ -2,7 +2,7 @@
 
 It holds no objects, only words, numbers and lists, so that a report can be rendered again from the JSON
 alone. Values stand in the unit named beside them, times in seconds. Fields may be added; none changes its
-meaning.
+meaning. Reasons stand as codes (`coded_reason`) beside their English words (`reason`), which no id covers.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from pydantic import Field
 from certkit.definitions.provenance import Confidence
 from certkit.documents.output_document import NOT_IN_ID, OutputDocument, Part
 from certkit.documents.rounding import Figure, Figures, Point, Points, Poses, Rows
+from certkit.reasons import Reason
 
 Verdict = Literal["pass", "fail", "conditional", "not evaluated", "error"]
 Kind = Literal["virtual certification", "test evaluation"]
@@ -74,6 +75,7 @@ class CriterionResult(Part):
     verdict: Verdict
     graded: Annotated[bool, Field(description="False: informative, no corridor is known.")] = True
     reason: Annotated[str, Field(description="Why, where the verdict alone does not say it.")] = ""
+    coded_reason: Reason | None = None
     confidence: Confidence | None = None
     source: str = ""
     corridor: Annotated[str, Field(description="Corridor as named in the procedure.")] = ""
@@ -97,6 +99,7 @@ class PreconditionResult(Part):
     upper: Figure | None = None
     verdict: Verdict
     reason: str = ""
+    coded_reason: Reason | None = None
     required: Annotated[bool, Field(description="False: a missing value does not matter.")] = True
 
 
@@ -137,12 +140,14 @@ class Comparison(Part):
     published_rms_error_percent: Figure | None = None
     rows: list[ComparisonRow]
     notes: list[str] = []
+    coded_notes: list[Reason] = []
 
 
 class QualityCheck(Part):
     """One limit of the numerical quality gate."""
 
-    title: str
+    title: str = ""
+    coded_title: Reason | None = None
     value: Figure
     limit: Figure
     unit: str
@@ -264,9 +269,11 @@ class Result(OutputDocument):
     title: str
     verdict: Verdict
     remarks: Annotated[list[str], Field(description="What the verdict rests on and does not cover.")] = []
+    coded_remarks: list[Reason] = []
     method: str = ""
     specimen: dict[str, str] = {}
     decision_rule: str = "simple acceptance"
+    coded_decision_rule: Reason | None = None
     criteria: list[CriterionResult]
     preconditions: list[PreconditionResult] = []
     conditions: Annotated[
@@ -286,4 +293,5 @@ class Result(OutputDocument):
     parameters: list[Parameter] = []
     laboratory: Annotated[dict[str, Any] | None, Field(description="Header data of a laboratory.")] = None
     notes: list[str] = []
+    coded_notes: list[Reason] = []
     provenance: Provenance

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -31,15 +32,15 @@ class MeasuredData:
         In SI units; its notes carry the assumptions.
     files : tuple of SourceFile
         Every file the recording rests on, sorted by name.
-    assumptions : tuple of str
-        What `lenient` let pass, one sentence each.
+    assumptions : tuple of Reason
+        What `lenient` let pass.
     header : mapping of str to str
         What the container says of the test: laboratory, title, date. Not trusted, only shown.
     """
 
     recording: Recording
     files: tuple[SourceFile, ...]
-    assumptions: tuple[str, ...] = ()
+    assumptions: tuple[Reason, ...] = ()
     header: Mapping[str, str] = field(default_factory=dict)
 
 
@@ -52,7 +53,7 @@ class Leniency:
     def __init__(self, *, lenient: bool) -> None:
         """Start with no assumptions."""
         self.lenient = lenient
-        self.assumptions: list[str] = []
+        self.assumptions: list[Reason] = []
 
     def depart(self, place: str, what: str, assumption: str) -> None:
         """Report a departure: raise it, or note what is assumed instead.
@@ -66,7 +67,7 @@ class Leniency:
             raise DataError(
                 f"{place}: {what}; correct it, or read with --lenient, which assumes: {assumption}"
             )
-        self.assumptions.append(f"{place}: {what}; assumed: {assumption}")
+        self.assumptions.append(Reason.of("assumed", place=place, fault=what, assumption=assumption))
 
     def leave_out(self, fault: str, channel: str) -> None:
         """Report samples that cannot be read: raise it, or note that the channel counts as not recorded.
@@ -78,4 +79,4 @@ class Leniency:
         """
         if not self.lenient:
             raise DataError(fault)
-        self.assumptions.append(f"{fault}; assumed: {channel} was not recorded")
+        self.assumptions.append(Reason.of("left-out", fault=fault, channel=channel))

@@ -14,6 +14,7 @@ from certkit.exchange.limits import MAX_SAMPLES
 from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.samples import Lines, read_samples
 from certkit.exchange.timebase import TimeBase
+from certkit.reasons import Reason
 from certkit.signals.clipping import find_clipping
 
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ class MmeChannel:
         Filter it has already seen.
     simulated : bool
         Whether its data source is a simulation.
-    notes : tuple of str
+    notes : tuple of Reason
         What the file says of its data.
     """
 
@@ -62,7 +63,7 @@ class MmeChannel:
     values: NDArray[np.float64]
     filtered: str
     simulated: bool
-    notes: tuple[str, ...]
+    notes: tuple[Reason, ...]
 
 
 def read_channel(
@@ -123,7 +124,7 @@ def read_channel(
         values=values,
         filtered=_filter(header, code, leniency),
         simulated=source is not None and source.value.casefold() == "simulation",
-        notes=(f"{place}: data status is `questionable data`",) if doubtful else (),
+        notes=(Reason.of("questionable-data", place=place),) if doubtful else (),
     )
 
 

@@ -25,6 +25,7 @@ from certkit.exchange.mme_channel import MmeChannel, read_channel
 from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import common_base
+from certkit.reasons import Reason
 from certkit.signals.recording import Channel, Recording
 
 if TYPE_CHECKING:
@@ -191,18 +192,19 @@ def _code_of(texts: _Texts, name: str) -> str:
 
 def _channels(
     texts: _Texts, listed: list[_Listed], table: CodeTable, leniency: Leniency
-) -> tuple[list[MmeChannel], list[str]]:
+) -> tuple[list[MmeChannel], list[Reason]]:
     """Read the channels that certkit knows; the rest is noted."""
     label = texts.container.label
     wanted: dict[str, _Listed] = {}
-    notes, others = [], []
+    notes: list[Reason] = []
+    others: list[str] = []
     for item in listed:
         name = table.channel(item.code)
         if name is None:
             others.append(item.code)
         elif name in wanted:
             wanted[name] = _of_two(name, wanted[name], item, label)
-            notes.append(f"{name} was recorded twice; {wanted[name].code} is used")
+            notes.append(Reason.of("recorded-twice", channel=name, code=wanted[name].code))
         else:
             wanted[name] = item
     parts = []
@@ -216,7 +218,7 @@ def _channels(
             leniency,
         )
         if part is None:
-            notes.append(f"{name} is not used: the data of {item.file} are not usable")
+            notes.append(Reason.of("data-not-usable", channel=name, file=item.file))
         else:
             parts.append(part)
     if not parts:
@@ -225,7 +227,7 @@ def _channels(
             f"{label}: no channel of a Flex-PLI among its codes ({seen}); a mapping file can name them"
         )
     if others:
-        notes.append(f"not used: {', '.join(others)}")
+        notes.append(Reason.of("codes-not-used", codes=others))
     return parts, notes
 
 

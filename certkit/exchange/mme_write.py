@@ -146,7 +146,7 @@ def _channel(recording: Recording, channel: Channel, code: str) -> str:
         _line("Laboratory channel code", NOVALUE),
         _line("Customer channel code", NOVALUE),
         _line("Channel code", code),
-        _line("Comments", "; ".join(channel.notes)),
+        _line("Comments", "; ".join(map(str, channel.notes))),
         _line("Location", NOVALUE),
         _line("Dimension", channel.dimension.name.capitalize()),
         _line("Direction", code[-2] if code[-2] in "XYZR" else NOVALUE),

@@ -13,6 +13,7 @@ from certkit.documents.result import ComparisonRow
 from certkit.documents.rounding import rounded_all
 from certkit.errors import DataError
 from certkit.grading.reference_errors import error_percent, rms
+from certkit.reasons import Reason, reason_of
 from certkit.signals import Filtered, rate, resampled
 from certkit.signals.iso18571 import INTERVAL, grade
 
@@ -75,7 +76,7 @@ def side_by_side(
         for name in shared
     }
     notes = [
-        f"Only in {test.side.label}: {', '.join(left)}."
+        Reason.of("only-in", test=test.side.label, channels=left)
         for test in (reference, other)
         if (left := [name for name in CHANNELS if name in test.recording and name not in shared])
     ]
@@ -94,7 +95,7 @@ def side_by_side(
         rating=mean,
         grade="" if mean is None else grade(mean),
         overlays=[_overlay(name, *curves[name], begin, _step(reference, other)) for name in shared],
-        notes=[*notes, *said],
+        coded_notes=[*notes, *said],
     ).with_id()
 
 
@@ -136,15 +137,13 @@ def _rows(
     reference: ComparedTest,
     other: ComparedTest,
     curves: Mapping[str, tuple[NDArray[np.float64], NDArray[np.float64], str]],
-) -> tuple[list[ComparisonRow], list[str]]:
+) -> tuple[list[ComparisonRow], list[Reason]]:
     """Make the error table: of criteria where both were graded by one procedure, else of peaks."""
     pairs = _criteria(reference.result, other.result)
-    said = "Values are those of the criteria."
+    said = Reason.of("values-of-criteria")
     if not pairs:
         pairs = [_peaks(name, x, y) for name, (x, y, _) in curves.items()]
-        said = (
-            f"Values are the peaks of the channels, {FILTER}, on the side where the reference has its peak."
-        )
+        said = Reason.of("values-of-peaks", filter=FILTER)
     largest: dict[str, float] = {}
     for _, unit, value, _ in pairs:
         largest[unit] = max(largest.get(unit, 0.0), abs(value))
@@ -157,7 +156,7 @@ def _rows(
         rows.append(ComparisonRow(channel=name, unit=unit, test=test, simulation=found, error_percent=error))
     notes = [said]
     if without:
-        notes.append(f"The reference is nearly zero, so there is no relative error: {', '.join(without)}.")
+        notes.append(Reason.of("reference-nearly-zero", channels=without))
     return rows, notes
 
 
@@ -189,11 +188,11 @@ def _rating(
 ) -> ChannelRating:
     title = CHANNELS[name].title
     if slow:
-        return ChannelRating(channel=name, title=title, reason="sampled too slowly for a rating at 10 kHz")
+        return ChannelRating(channel=name, title=title, coded_reason=Reason.of("rated-too-slow"))
     try:
         rating = rate(a, b)
     except DataError as error:
-        return ChannelRating(channel=name, title=title, reason=str(error))
+        return ChannelRating(channel=name, title=title, coded_reason=reason_of(error))
     return ChannelRating(
         channel=name,
         title=title,

@@ -11,6 +11,7 @@ from certkit.definitions.channels import TIME, Dimension
 from certkit.definitions.corridor_set import Band, Polygon, ValueWindow
 from certkit.errors import UsageError
 from certkit.grading.measure import channel_name, quantity
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -52,7 +53,7 @@ class Corridor:
 class Missing:
     """No corridor to hold a criterion against: why, and whether the criterion is required all the same."""
 
-    reason: str
+    reason: Reason
     required: bool
 
 
@@ -68,17 +69,19 @@ def find_corridor(criterion: Criterion, corridors: Mapping[str, CorridorSet]) ->
         When the corridor is of another kind than the measure needs.
     """
     if criterion.corridor is None:
-        return Missing("no corridor is known", required=False)
+        return Missing(Reason.of("no-corridor"), required=False)
     name, _, entry_name = criterion.corridor.partition("/")
     found = corridors.get(name)
     if found is None:
-        return Missing(f"the corridor set `{name}` was not found", required=True)
+        return Missing(Reason.of("corridor-set-not-found", set=name), required=True)
     if found.impactor != IMPACTOR:
-        return Missing(f"the corridor set `{name}` is for the {found.impactor}", required=True)
+        return Missing(
+            Reason.of("corridor-set-for-other", set=name, impactor=found.impactor), required=True
+        )
     if entry_name in found.awaited:
-        return Missing(found.awaited[entry_name], required=False)
+        return Missing(Reason.words(found.awaited[entry_name]), required=False)
     if entry_name not in found.entries:
-        return Missing(f"the corridor set `{name}` has no `{entry_name}`", required=True)
+        return Missing(Reason.of("corridor-not-in-set", set=name, entry=entry_name), required=True)
     entry = found.entry(entry_name)
     wanted = KINDS.get(criterion.measure, ValueWindow)
     if not isinstance(entry, wanted):

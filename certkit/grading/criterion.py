@@ -15,6 +15,7 @@ from certkit.grading.corridor_distance import band_distance, end_faces, polygon_
 from certkit.grading.corridors import Corridor, Missing, band_lines, find_corridor, limits, polygon_corners
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule, decide
 from certkit.grading.measure import MeasuredValue, channel_name
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -61,7 +62,7 @@ class _Held:
     time: float | None
     lower: float | None = None
     upper: float | None = None
-    reason: str = ""
+    reason: Reason | None = None
     pictures: Mapping[str, Any] = field(default_factory=dict)
 
 
@@ -104,7 +105,7 @@ def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Ju
     if dimension is None or (measured.value is None and measured.trace is None):
         unit = "" if dimension is None else dimension.unit
         return CriterionResult(
-            value=None, unit=unit, verdict="not evaluated", reason=measured.reason, **common
+            value=None, unit=unit, verdict="not evaluated", coded_reason=measured.reason, **common
         )
     held = _hold(criterion, measured, dimension, corridor)
     scale = dimension.scale
@@ -120,9 +121,9 @@ def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Ju
         **common,
     }
     if missing is not None or held.value is None:
-        reason = held.reason or ("" if missing is None else missing.reason)
+        reason = held.reason or (None if missing is None else missing.reason)
         given = uncertainty if uncertainty != Uncertainty() else None
-        return CriterionResult(verdict="not evaluated", reason=reason, uncertainty=given, **shown)
+        return CriterionResult(verdict="not evaluated", coded_reason=reason, uncertainty=given, **shown)
     decision = decide(judgement.rule, held.value, held.lower, held.upper, judgement.expanded.get(channel))
     verdict, reason = decision.verdict, decision.reason
     margin = _scaled(decision.margin, scale)
@@ -133,14 +134,15 @@ def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Ju
         and margin < uncertainty.numerical
     ):
         verdict = "conditional"
-        doubt = f"{uncertainty.numerical:.2g} {dimension.unit}"
-        reason = f"nearer to its limit than its numerical uncertainty of {doubt}"
+        reason = Reason.of(
+            "within-numerical-uncertainty", uncertainty=uncertainty.numerical, unit=dimension.unit
+        )
     uncertainty = uncertainty.model_copy(
         update={"guard_band": _scaled(decision.guard_band, scale), "false_accept": decision.false_accept}
     )
     return CriterionResult(
         verdict=verdict,
-        reason=reason,
+        coded_reason=reason,
         lower=_scaled(held.lower, scale),
         upper=_scaled(held.upper, scale),
         margin=margin,
@@ -183,7 +185,7 @@ def _inside_polygon(trace: Trace, corners: NDArray[np.float64]) -> _Held:
     size = np.ptp(corners, axis=0)
     low = corners.min(axis=0)
     if trace.y.size < 2:
-        return _Held(None, None, reason="a single point is no curve", pictures=pictures)
+        return _Held(None, None, reason=Reason.of("single-point"), pictures=pictures)
     x, y, index = refined(trace.x, trace.y)
     covered = max(
         (min(float(v.max()), float(begin + extent)) - max(float(v.min()), float(begin))) / float(extent)
@@ -194,9 +196,7 @@ def _inside_polygon(trace: Trace, corners: NDArray[np.float64]) -> _Held:
     if (distance < 0).any():
         counted = np.ones_like(counted)
     elif covered < COVERED:
-        reason = (
-            f"the curve runs through {max(0.0, covered):.0%} of the corridor only; {COVERED:.0%} is needed"
-        )
+        reason = Reason.of("curve-covers-little", covered=max(0.0, covered), needed=COVERED)
         return _Held(None, None, reason=reason, pictures=pictures)
     at = int(np.flatnonzero(counted)[np.argmin(distance[counted])])
     time = float(np.interp(index[at], np.arange(trace.time.size), trace.time))
@@ -215,15 +215,18 @@ def _inside_band(trace: Trace, corridor: Corridor, band: BandCorridor) -> _Held:
     begin, end = min(r[0] for r in reach), max(r[1] for r in reach)
     step = float(trace.time[-1] - trace.time[0]) / max(1, trace.time.size - 1)
     if trace.time[0] > begin + step or trace.time[-1] < end - step:
-        reason = (
-            f"recorded from {trace.time[0] * 1e3:.4g} to {trace.time[-1] * 1e3:.4g} ms, "
-            f"the corridor reaches from {begin * 1e3:.4g} to {end * 1e3:.4g} ms"
+        reason = Reason.of(
+            "recorded-too-short",
+            start=float(trace.time[0]) * 1e3,
+            end=float(trace.time[-1]) * 1e3,
+            corridor_start=float(begin) * 1e3,
+            corridor_end=float(end) * 1e3,
         )
         return _Held(None, None, reason=reason, pictures=pictures)
     distance = band_distance(trace.time, trace.y, lower, upper)
     at = int(np.argmin(distance))
     if not np.isfinite(distance[at]):
-        return _Held(None, None, reason="no sample lies under the corridor", pictures=pictures)
+        return _Held(None, None, reason=Reason.of("no-sample-under-corridor"), pictures=pictures)
     return _Held(float(distance[at]), float(trace.time[at]), lower=0.0, pictures=pictures)
 
 

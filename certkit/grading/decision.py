@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.errors import UsageError
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from certkit.documents.result import Verdict
@@ -38,11 +39,9 @@ class DecisionRule:
             raise UsageError(f"the guard band's ratio r is {self.ratio}; it has to be 0 or more")
 
     @property
-    def words(self) -> str:
+    def reason(self) -> Reason:
         """Name the rule as the certificate does."""
-        if self.ratio == 0:
-            return "simple acceptance"
-        return f"guard band w = {self.ratio:g}·U (ILAC-G8:09/2019)"
+        return Reason.of("guard-band", ratio=self.ratio) if self.ratio else Reason.of("simple-acceptance")
 
 
 SIMPLE_ACCEPTANCE = DecisionRule()
@@ -61,7 +60,7 @@ class Decision:
         w, in the unit of the value.
     false_accept : float or None
         Probability that the true value lies outside the limits though the value was accepted.
-    reason : str
+    reason : Reason or None
         Why, where the verdict alone does not say it.
     """
 
@@ -69,7 +68,7 @@ class Decision:
     margin: float | None
     guard_band: float | None = None
     false_accept: float | None = None
-    reason: str = ""
+    reason: Reason | None = None
 
 
 def decide(
@@ -92,7 +91,7 @@ def decide(
     Decision
     """
     undecidable = _undecidable(rule, value, (lower, upper), expanded)
-    if undecidable:
+    if undecidable is not None:
         return Decision("not evaluated", None, reason=undecidable)
     margin = min(
         math.inf if lower is None else value - lower,
@@ -105,24 +104,24 @@ def decide(
         return Decision("pass", margin, false_accept=risk)
     band = rule.ratio * expanded
     if margin < band:
-        return Decision("conditional", margin, band, risk, "inside the corridor, but within the guard band")
+        return Decision("conditional", margin, band, risk, Reason.of("inside-guard-band"))
     return Decision("pass", margin, band, risk)
 
 
 def _undecidable(
     rule: DecisionRule, value: float, limits: tuple[float | None, float | None], expanded: float | None
-) -> str:
-    """Say why nothing can be decided; empty when something can."""
+) -> Reason | None:
+    """Say why nothing can be decided; None when something can."""
     given = [limit for limit in limits if limit is not None]
     if not math.isfinite(value):
-        return "the value is not a number"
+        return Reason.of("value-not-finite")
     if not given or any(math.isnan(limit) for limit in given):
-        return "the corridor has no limit"
+        return Reason.of("corridor-without-limit")
     if expanded is not None and not (math.isfinite(expanded) and expanded >= 0):
-        return "the expanded uncertainty is not a number"
+        return Reason.of("uncertainty-not-finite")
     if expanded is None and rule.ratio > 0:
-        return "the guard band needs an expanded uncertainty for this channel"
-    return ""
+        return Reason.of("uncertainty-missing")
+    return None
 
 
 def false_accept(value: float, lower: float | None, upper: float | None, expanded: float) -> float:

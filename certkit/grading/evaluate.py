@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Procedure
     from certkit.documents.result import CriterionResult, Kind
     from certkit.grading.measure_all import Measurements
+    from certkit.reasons import Reason
 
 
 def evaluate(
@@ -37,7 +38,7 @@ def evaluate(
     *,
     simulated: SimulatedTerms = NOT_SIMULATED,
     laboratory: LaboratoryTerms = NO_LABORATORY,
-    notes: Sequence[str] = (),
+    notes: Sequence[Reason] = (),
 ) -> Result:
     """Grade what was measured by a procedure, and write the result document.
 
@@ -51,13 +52,13 @@ def evaluate(
         Of a simulated run: its quality, numerical uncertainty, motion, energies and vehicle front.
     laboratory : LaboratoryTerms
         Of a measured test: decision rule, uncertainties, checks of its sensors, header.
-    notes : sequence of str
+    notes : sequence of Reason
         Further notes, such as the header of a data file.
 
     Returns
     -------
     Result
-        With its id.
+        With its id; its reasons are codes yet, without words.
 
     Raises
     ------
@@ -84,10 +85,10 @@ def evaluate(
         procedure=procedure.procedure,
         title=procedure.title,
         verdict=overall(criteria, preconditions, simulated.quality),
-        remarks=[*said, *unscored],
+        coded_remarks=[*said, *unscored],
         method=procedure.method.words,
         specimen=_specimen(procedure, simulated, laboratory),
-        decision_rule=laboratory.decision.words,
+        coded_decision_rule=laboratory.decision.reason,
         criteria=criteria,
         preconditions=preconditions,
         conditions=_finite(recording.conditions),
@@ -102,7 +103,7 @@ def evaluate(
         motion=simulated.motion,
         parameters=list(terms.parameters),
         laboratory=None if laboratory.header is None else dict(laboratory.header),
-        notes=result_notes(measured, criteria, notes),
+        coded_notes=result_notes(measured, criteria, notes),
         provenance=terms.provenance,
     )
     return result.with_id()

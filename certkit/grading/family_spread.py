@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from certkit.documents.result import Spread
 from certkit.errors import UsageError
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -43,8 +44,8 @@ def with_spread(results: Sequence[Result]) -> Result:
         ]
         spread = _spread(values)
         criteria.append(criterion.model_copy(update={"spread": spread}) if spread is not None else criterion)
-    remarks = [*nominal.remarks, _remark(results), *_outside(criteria, results)]
-    return nominal.model_copy(update={"criteria": criteria, "remarks": remarks}).with_id()
+    remarks = [*nominal.coded_remarks, _remark(results), *_outside(criteria, results)]
+    return nominal.model_copy(update={"criteria": criteria, "coded_remarks": remarks}).with_id()
 
 
 def _spread(values: Sequence[float]) -> Spread | None:
@@ -62,20 +63,25 @@ def _spread(values: Sequence[float]) -> Spread | None:
     )
 
 
-def _remark(results: Sequence[Result]) -> str:
+def _remark(results: Sequence[Result]) -> Reason:
     counts: dict[str, int] = {}
     for result in results:
         counts[result.verdict] = counts.get(result.verdict, 0) + 1
-    verdicts = ", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items()))
-    return f"Values are the nominal leg's, with their spread over {len(results)} certified legs ({verdicts})."
+    verdicts = [
+        Reason.of("count-of-verdict", count=count, verdict=verdict)
+        for verdict, count in sorted(counts.items())
+    ]
+    return Reason.of("spread-over-family", legs=len(results), verdicts=verdicts)
 
 
-def _outside(criteria: Sequence[CriterionResult], results: Sequence[Result]) -> list[str]:
+def _outside(criteria: Sequence[CriterionResult], results: Sequence[Result]) -> list[Reason]:
     """Name graded criteria that some member does not pass."""
     said = []
     for criterion in criteria:
         verdicts = [c.verdict for r in results for c in r.criteria if c.id == criterion.id and c.graded]
         passed = verdicts.count("pass")
         if verdicts and passed < len(verdicts):
-            said.append(f"{criterion.id}: {passed} of {len(verdicts)} legs pass.")
+            said.append(
+                Reason.of("legs-that-pass", criterion=criterion.id, passed=passed, legs=len(verdicts))
+            )
     return said

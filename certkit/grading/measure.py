@@ -14,6 +14,7 @@ import numpy as np
 from certkit.definitions.channels import TIME, Dimension, channel_kind
 from certkit.definitions.units import parse_quantity
 from certkit.errors import DataError, UsageError
+from certkit.reasons import Reason, UnusableError, reason_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -56,7 +57,7 @@ class MeasuredValue:
         SI value and the time it occurred at, s; None when it could not be measured.
     dimension : Dimension or None
         Of the value; None when not even the channel is known.
-    reason : str
+    reason : Reason or None
         Why there is no value.
     trace : Trace or None
         The samples, for measures that hold a whole curve against a corridor.
@@ -65,15 +66,15 @@ class MeasuredValue:
     value: float | None
     time: float | None
     dimension: Dimension | None
-    reason: str = ""
+    reason: Reason | None = None
     trace: Trace | None = None
 
 
 @dataclass(frozen=True)
 class NoInterval:
-    """There is no assessment interval, and why."""
+    """There is no assessment interval, and why; without a reason where none was looked for."""
 
-    reason: str
+    reason: Reason | None = None
 
 
 @dataclass(frozen=True)
@@ -142,7 +143,7 @@ def measure(
     try:
         trace = _trace(criterion, filtered, window)
     except DataError as error:
-        return MeasuredValue(None, None, dimension, str(error))
+        return MeasuredValue(None, None, dimension, reason_of(error))
     if criterion.measure in {"curve in polygon", "curve in band"}:
         return MeasuredValue(None, None, trace.y_dimension, trace=trace)
     if criterion.measure == "value at":
@@ -184,8 +185,10 @@ def _trace(criterion: Criterion, filtered: Filtered, window: EvaluationWindow) -
     name = channel_name(_ordinate(criterion))
     values = filtered.values(name, criterion.filter)
     if not inside.any():
-        raise DataError(
-            f"nothing was recorded from {window.start * 1e3:.6g} to {window.end * 1e3:.6g} ms after contact"
+        begin, end = window.start * 1e3, window.end * 1e3
+        raise UnusableError(
+            f"nothing was recorded from {begin:.6g} to {end:.6g} ms after contact",
+            Reason.of("nothing-recorded", start=begin, end=end),
         )
     y = filtered.recording[name]
     if criterion.curve is None:
@@ -207,12 +210,13 @@ def _value_at(
     try:
         path = _trace(guide, filtered, window)
     except DataError as error:
-        return MeasuredValue(None, None, trace.y_dimension, str(error))
+        return MeasuredValue(None, None, trace.y_dimension, reason_of(error))
     level = quantity(criterion.at.equals, path.y_dimension, f"criterion {criterion.id}, `at`")
     sign = -1.0 if level < 0 else 1.0
     reached = np.flatnonzero(sign * path.y >= sign * level - REACHED * abs(level))
     if not reached.size:
-        return MeasuredValue(None, None, trace.y_dimension, f"{name} never reaches {criterion.at.equals}")
+        never = Reason.of("level-never-reached", channel=name, level=criterion.at.equals)
+        return MeasuredValue(None, None, trace.y_dimension, never)
     index = int(reached[0])
     share = 1.0
     if index > 0:

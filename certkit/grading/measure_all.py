@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
 from certkit.grading.measure import EvaluationWindow, MeasuredValue, NoInterval, channel_name, measure
+from certkit.reasons import Reason, reason_of
 from certkit.signals import AssessmentInterval, Filtered, assessment_interval, condition
-from certkit.signals.interval import BONE_CHANNELS
+from certkit.signals.interval import BONE_CHANNELS, MARGINAL_MOMENT
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -91,7 +92,7 @@ def measure_all(procedure: Procedure, recording: Recording, *, lenient: bool = F
     if needs_interval:
         wanted += [(name, INTERVAL_FILTER) for name in BONE_CHANNELS]
     filtered = Filtered(conditioned, wanted)
-    interval = _interval(filtered) if needs_interval else NoInterval("")
+    interval = _interval(filtered) if needs_interval else NoInterval()
     window = _window(procedure, conditioned)
     values = {c.id: measure(c, filtered, window, interval) for c in procedure.criteria}
     return Measurements(procedure, recording, filtered, window, interval, values)
@@ -119,6 +120,9 @@ def _interval(filtered: Filtered) -> AssessmentInterval | NoInterval:
     try:
         moments = {name: filtered.values(name, INTERVAL_FILTER) for name in BONE_CHANNELS}
     except DataError as error:
-        return NoInterval(f"no assessment interval: {error}")
+        return NoInterval(Reason.of("no-assessment-interval", reason=reason_of(error)))
     found = assessment_interval(filtered.recording.time, moments)
-    return found or NoInterval("no assessment interval: no bone moment has a maximum beyond 15 N·m")
+    if found is not None:
+        return found
+    small = Reason.of("bone-moments-small", marginal=MARGINAL_MOMENT)
+    return NoInterval(Reason.of("no-assessment-interval", reason=small))

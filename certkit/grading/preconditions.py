@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from certkit.definitions.units import UNITS, parse_quantity
 from certkit.documents.result import PreconditionResult
 from certkit.errors import UsageError
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -48,12 +49,13 @@ def _grade(precondition: Precondition, value: float | None) -> PreconditionResul
         "upper": (upper - offset) / factor,
     }
     if value is None or not math.isfinite(value):
-        said = "was not recorded" if value is None else "is not a number"
-        needed = "" if precondition.required else "; it is not required"
+        code = "condition-not-recorded" if value is None else "condition-not-finite"
         return PreconditionResult(
             value=None,
             verdict="not evaluated",
-            reason=f"{precondition.quantity} {said}{needed}",
+            coded_reason=Reason.of(
+                code if precondition.required else f"{code}-not-required", quantity=precondition.quantity
+            ),
             required=precondition.required,
             **row,
         )
@@ -61,15 +63,19 @@ def _grade(precondition: Precondition, value: float | None) -> PreconditionResul
     slack = 1e-9 * max(abs(lower), abs(upper))
     inside = lower - slack <= value <= upper + slack
     shown = (value - offset) / factor
-    reason = (
-        ""
-        if inside
-        else f"{precondition.quantity} {shown:.4g} {unit} is outside {' to '.join(precondition.within)}"
+    first, last = precondition.within
+    outside = Reason.of(
+        "condition-outside",
+        quantity=precondition.quantity,
+        value=shown,
+        unit=unit,
+        lower=first,
+        upper=last,
     )
     return PreconditionResult(
         value=shown,
         verdict="pass" if inside else "fail",
-        reason=reason,
+        coded_reason=None if inside else outside,
         required=precondition.required,
         **row,
     )

@@ -6,6 +6,7 @@ import math
 from typing import Protocol
 
 from certkit.documents.result import Quality, QualityCheck
+from certkit.reasons import Reason
 
 ENERGY_LIMIT = 0.5
 """Percent of the energy turned over."""
@@ -67,14 +68,14 @@ def grade_quality(
         Its verdict is `pass` or `error`. A figure that is not a number is beyond every limit.
     """
     rows = [
-        ("energy balance", figures.energy_error_percent, ENERGY_LIMIT, "%"),
-        ("joint gap", figures.joint_gap_mm, JOINT_GAP_LIMIT, "mm"),
+        ("energy-balance", figures.energy_error_percent, ENERGY_LIMIT, "%"),
+        ("joint-gap", figures.joint_gap_mm, JOINT_GAP_LIMIT, "mm"),
         ("penetration", figures.penetration_mm, penetration_limit, "mm"),
     ]
     if step_change_percent is not None:
-        rows.append(("change when the step is halved", step_change_percent, STEP_CHANGE_LIMIT, "%"))
+        rows.append(("step-change", step_change_percent, STEP_CHANGE_LIMIT, "%"))
     checks = [_check(*row) for row in rows]
-    change = next((c.value for c in checks if c.title.startswith("change")), None)
+    change = None if step_change_percent is None else checks[-1].value
     return Quality(
         verdict="pass" if all(check.verdict == "pass" for check in checks) else "error",
         energy_error_percent=checks[0].value,
@@ -88,9 +89,13 @@ def grade_quality(
     )
 
 
-def _check(title: str, value: float, limit: float, unit: str) -> QualityCheck:
+def _check(code: str, value: float, limit: float, unit: str) -> QualityCheck:
     # The document holds no NaN; what is not a number is written down as far out of its limit as can be.
     shown = value if math.isfinite(value) else 1e300
     return QualityCheck(
-        title=title, value=shown, limit=limit, unit=unit, verdict="pass" if shown <= limit else "error"
+        coded_title=Reason.of(code),
+        value=shown,
+        limit=limit,
+        unit=unit,
+        verdict="pass" if shown <= limit else "error",
     )

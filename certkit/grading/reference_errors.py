@@ -15,6 +15,7 @@ from certkit.definitions.units import dimensions, parse_quantity
 from certkit.documents.result import Comparison, ComparisonRow
 from certkit.errors import UsageError
 from certkit.grading.measure import quantity
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -65,21 +66,19 @@ def compare(reference: Reference, criteria: Iterable[CriterionResult]) -> Compar
     if not rows:
         return None
     missing = [name for name in reference.values if name not in values]
-    notes = list(reference.notes)
+    notes = [Reason.words(note) for note in reference.notes]
     if missing:
-        notes.append(f"Not measured, so not in the rms error: {', '.join(missing)}.")
+        notes.append(Reason.of("not-in-rms", criteria=missing))
     published = [row.published_error_percent for row in rows if row.published_error_percent is not None]
     if published:
-        notes.append(
-            "Published errors are rounded to whole percent, as they were printed, and so is their rms."
-        )
+        notes.append(Reason.of("published-rounded"))
     return Comparison(
         reference=reference.reference,
         title=reference.title,
         rms_error_percent=rms([row.error_percent for row in rows]),
         published_rms_error_percent=rms(published) if published else None,
         rows=rows,
-        notes=notes,
+        coded_notes=notes,
     )
 
 

@@ -1,8 +1,10 @@
-"""Sentences that stand next to a verdict: what it rests on, and what it does not cover."""
+"""Remarks that stand next to a verdict: what it rests on, and what it does not cover."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
+
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -15,21 +17,14 @@ if TYPE_CHECKING:
         Parameter,
         PreconditionResult,
         Quality,
+        QualityCheck,
     )
 
 TITLES: dict[Kind, str] = {
-    "virtual certification": (
-        "A virtual certification of the model; not a calibration certificate of a legform."
-    ),
-    "test evaluation": "An evaluation of a measured test; not a calibration certificate of the legform.",
+    "virtual certification": "model-not-legform",
+    "test evaluation": "no-calibration-certificate",
 }
-
-_RESTS: dict[Confidence, str] = {
-    "recalled": "recalled corridors, not verified against the regulation's text",
-    "derived": "derived corridors, which follow by arithmetic from their sources",
-    "calibrated": "calibrated limits, which were fitted",
-    "estimated": "estimated corridors, which are a judgement",
-}
+"""Code of what a document of each kind is not."""
 
 
 def remarks(
@@ -40,64 +35,72 @@ def remarks(
     quality: Quality | None = None,
     parameters: Sequence[Parameter] = (),
     comparison: Comparison | None = None,
-) -> list[str]:
+) -> list[Reason]:
     """Return the remarks of a result, the weightiest first."""
-    said: list[str] = []
+    said: list[Reason] = []
     if quality is not None:
-        beyond = [check for check in quality.checks if check.verdict != "pass"]
-        said += [
-            f"The run cannot be trusted: {check.title} {check.value:.3g} {check.unit} "
-            f"exceeds {check.limit:g} {check.unit}."
-            for check in beyond
-        ]
+        said += [_untrusted(check) for check in quality.checks if check.verdict != "pass"]
     said += [
-        f"Not evaluated: {row.reason}." for row in preconditions if row.required and row.verdict != "pass"
+        Reason.of("test-not-evaluated", reason=_reason(row))
+        for row in preconditions
+        if row.required and row.verdict != "pass"
     ]
     graded = [criterion for criterion in criteria if criterion.graded]
     if not graded:
-        said.append("Not evaluated: no criterion has a corridor that it could be graded against.")
+        said.append(Reason.of("no-criterion-graded"))
     said += [
-        f"{c.id}: {c.reason}." for c in graded if c.verdict in {"not evaluated", "conditional"} and c.reason
+        Reason.of("remark-on-criterion", criterion=c.id, reason=c.coded_reason)
+        for c in graded
+        if c.verdict in {"not evaluated", "conditional"} and c.coded_reason is not None
     ]
     said += _confidence(graded)
     shown = [criterion.id for criterion in criteria if not criterion.graded]
     if shown and graded:
-        said.append(f"Does not cover {_listed(shown)}: shown for information, no corridor is known.")
+        said.append(Reason.of("not-covered", criteria=shown))
     if comparison is not None:
         said.append(_compared(comparison))
     if kind == "virtual certification" and parameters:
         said.append(_model(parameters))
-    said.append(TITLES[kind])
+    said.append(Reason.of(TITLES[kind]))
     return said
 
 
-def _confidence(graded: Iterable[CriterionResult]) -> list[str]:
+def _reason(row: PreconditionResult) -> Reason:
+    """Return why a condition is not met; one without a code is told in its own words."""
+    return row.coded_reason or Reason.words(row.reason)
+
+
+def _untrusted(check: QualityCheck) -> Reason:
+    title = check.coded_title or Reason.words(check.title)
+    return Reason.of("run-untrusted", check=title, value=check.value, limit=check.limit, unit=check.unit)
+
+
+def _confidence(graded: Iterable[CriterionResult]) -> list[Reason]:
     """Say what the corridors rest on, unless all of them were read in the regulation."""
     by_confidence: dict[Confidence, list[str]] = {}
     for criterion in graded:
         if criterion.confidence is not None and criterion.confidence != "verified":
             by_confidence.setdefault(criterion.confidence, []).append(criterion.id)
     return [
-        f"Rests on {_RESTS[confidence]} ({_listed(names)})."
+        Reason.of(f"rests-on-{confidence}", criteria=names)
         for confidence, names in sorted(by_confidence.items())
     ]
 
 
-def _compared(comparison: Comparison) -> str:
-    said = f"Compared with {comparison.reference}: rms error {comparison.rms_error_percent:.1f} %"
+def _compared(comparison: Comparison) -> Reason:
+    said = {"reference": comparison.reference, "error": comparison.rms_error_percent}
     published = comparison.published_rms_error_percent
-    return f"{said}." if published is None else f"{said} (the published simulation: {published:.1f} %)."
+    if published is None:
+        return Reason.of("compared", **said)
+    return Reason.of("compared-with-published", **said, published=published)
 
 
-def _model(parameters: Sequence[Parameter]) -> str:
+def _model(parameters: Sequence[Parameter]) -> Reason:
     counts: dict[str, int] = {}
     for parameter in parameters:
         counts[parameter.confidence] = counts.get(parameter.confidence, 0) + 1
-    shares = [f"{count} {confidence}" for confidence, count in sorted(counts.items())]
-    return (
-        f"Of the {len(parameters)} numbers that went in, {_listed(shares)}; each is listed with its origin."
-    )
-
-
-def _listed(words: Sequence[str]) -> str:
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+    shares = [
+        Reason.of("count-of-confidence", count=count, confidence=confidence)
+        for confidence, count in sorted(counts.items())
+    ]
+    return Reason.of("numbers-that-went-in", count=len(parameters), shares=shares)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.grading.measure import NoInterval
+from certkit.reasons import Reason, each_once
 from certkit.signals.cfc import EDITION
 
 if TYPE_CHECKING:
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
 
 
 def result_notes(
-    measured: Measurements, criteria: Sequence[CriterionResult], notes: Sequence[str] = ()
-) -> list[str]:
+    measured: Measurements, criteria: Sequence[CriterionResult], notes: Sequence[Reason] = ()
+) -> list[Reason]:
     """Gather the notes, each once, in the order procedure, `notes`, corridors, filters, recording, interval.
 
     Parameters
@@ -24,18 +25,24 @@ def result_notes(
     measured : Measurements
     criteria : sequence of CriterionResult
         Graded; a note that several share is told once, with their ids.
-    notes : sequence of str
+    notes : sequence of Reason
         Further ones, such as the header of a data file.
     """
-    said = [*measured.procedure.notes, *notes]
+    said = [*map(Reason.words, measured.procedure.notes), *notes]
     told = dict.fromkeys(criterion.note for criterion in criteria if criterion.note)
-    said += [f"{', '.join(c.id for c in criteria if c.note == note)}: {note}" for note in told]
+    said += [
+        Reason.of("note-of-criteria", criteria=[c.id for c in criteria if c.note == note], text=note)
+        for note in told
+    ]
     if any(c.filter != "none" for c in measured.procedure.criteria):
-        said.append(f"Filters: {EDITION}, run forward and backward.")
+        said.append(Reason.of("filters", edition=EDITION))
     recording = measured.recording
     said += recording.notes
-    said += [f"{c.name}: {note}" for c in recording.channels.values() for note in c.notes]
+    said += [
+        Reason.of("note-of-channel", channel=c.name, reason=note)
+        for c in recording.channels.values()
+        for note in c.notes
+    ]
     if not isinstance(measured.interval, NoInterval):
-        words = measured.interval.words
-        said.append(f"{words[0].upper()}{words[1:]}.")
-    return list(dict.fromkeys(said))
+        said.append(measured.interval.reason)
+    return each_once(said)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.definitions.units import parse_quantity
 from certkit.documents.result import ScoreResult
 from certkit.errors import UsageError
+from certkit.reasons import Reason
 from certkit.grading.corridors import IMPACTOR
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ def points(value: float, full: float, zero: float, maximum: float) -> float:
 
 def procedure_scores(
     named: str | None, corridors: Mapping[str, CorridorSet], criteria: Mapping[str, CriterionResult]
-) -> tuple[list[ScoreResult], list[str]]:
+) -> tuple[list[ScoreResult], list[Reason]]:
     """Give the points of the rating scheme that a procedure names; none without one. See `grade_scores`.
 
     Parameters
@@ -51,15 +52,15 @@ def procedure_scores(
         return [], []
     found = corridors.get(named)
     if found is None:
-        return [], [f"Scores are not given: the set `{named}` was not found."]
+        return [], [Reason.of("score-set-not-found", set=named)]
     if found.impactor != IMPACTOR:
-        return [], [f"Scores are not given: `{named}` is for the {found.impactor}."]
+        return [], [Reason.of("score-set-for-other", set=named, impactor=found.impactor)]
     return grade_scores(found.scores, criteria)
 
 
 def grade_scores(
     scores: Mapping[str, Score], criteria: Mapping[str, CriterionResult]
-) -> tuple[list[ScoreResult], list[str]]:
+) -> tuple[list[ScoreResult], list[Reason]]:
     """Give points.
 
     Parameters
@@ -72,17 +73,18 @@ def grade_scores(
     Returns
     -------
     scores : list of ScoreResult
-    remarks : list of str
-        A sentence for each score that cannot be given because a criterion is missing: a missing value earns
+    remarks : list of Reason
+        One for each score that cannot be given because a criterion is missing: a missing value earns
         nothing.
     """
     given: list[ScoreResult] = []
-    remarks: list[str] = []
+    remarks: list[Reason] = []
     for name, score in scores.items():
         needed = [*score.criteria, *(score.forfeit.criteria if score.forfeit is not None else ())]
         missing = [i for i in needed if i not in criteria or criteria[i].value is None]
         if missing:
-            remarks.append(f"Score {name} is not given: {', '.join(dict.fromkeys(missing))} not measured.")
+            without = list(dict.fromkeys(missing))
+            remarks.append(Reason.of("score-not-measured", score=name, criteria=without))
         else:
             given.append(_score(name, score, criteria))
     return given, remarks

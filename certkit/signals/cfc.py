@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.errors import DataError
+from certkit.reasons import Reason, UnusableError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -42,14 +42,15 @@ def check_rate(interval: float, frequency_class: float) -> None:
 
     Raises
     ------
-    DataError
+    UnusableError
         With the rate there is and the rate it takes.
     """
     rate, needed = 1.0 / interval, SAMPLES_PER_CLASS * frequency_class
     if rate < needed * (1 - 1e-9):
-        raise DataError(
+        raise UnusableError(
             f"sampled at {rate:.6g} Hz, CFC {frequency_class:g} needs at least {needed:g} Hz; "
-            "export the channel at its full sampling rate"
+            "export the channel at its full sampling rate",
+            Reason.of("sampled-too-slowly", rate=rate, frequency_class=frequency_class, needed=needed),
         )
 
 
@@ -71,16 +72,21 @@ def cfc(values: NDArray[np.float64], interval: float, frequency_class: float) ->
 
     Raises
     ------
-    DataError
+    UnusableError
         When the sampling is too slow for the class, there are fewer than two samples, or a value is not
         finite.
     """
     check_rate(interval, frequency_class)
     count = values.shape[-1]
     if count < 2:
-        raise DataError(f"{count} sample(s) cannot be filtered")
+        raise UnusableError(
+            f"{count} sample(s) cannot be filtered", Reason.of("too-short-to-filter", count=count)
+        )
     if not np.isfinite(values).all():
-        raise DataError("a value that is not a number cannot be filtered; mend or leave out the channel")
+        raise UnusableError(
+            "a value that is not a number cannot be filtered; mend or leave out the channel",
+            Reason.of("not-finite-to-filter"),
+        )
     design = math.pi * DESIGN_RATIO * frequency_class * interval
     pad = math.ceil(_FADED / (math.sqrt(2.0) * math.tan(design)))
     length = _quick_length(count + 2 * pad)

@@ -14,9 +14,10 @@ import numpy as np
 
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.errors import DataError
+from certkit.reasons import Reason
 from certkit.signals.clipping import AMPLITUDE_CLASS, find_clipping
 from certkit.signals.noise import FREE_FLIGHT_NOISE, WINDOW, free_flight
-from certkit.signals.offset import MARGIN, quiet_interval, remove_offset
+from certkit.signals.offset import MARGIN, SHORTEST, quiet_interval, remove_offset
 from certkit.signals.polarity import POSITIVE_CHANNELS, is_swapped
 from certkit.signals.time_zero import TOLERANCE, first_contact, shifted
 
@@ -128,7 +129,13 @@ def unclipped(recording: Recording, situation: Situation) -> Recording:
                 f"{recording.source or 'recording'}: channel `{channel.name}` is {said}; its peak is lost. "
                 "Leave the channel out, or accept it as it is with --lenient"
             )
-        return replace(channel, notes=(*channel.notes, f"{said}; kept because of --lenient"))
+        note = Reason.of(
+            "clipped-kept",
+            level=clipping.level * channel.dimension.scale,
+            unit=channel.dimension.unit,
+            time=float(recording.time[clipping.index]) * 1e3,
+        )
+        return replace(channel, notes=(*channel.notes, note))
 
     return _each_finite(recording, check)
 
@@ -140,7 +147,7 @@ def timed(recording: Recording, situation: Situation) -> Recording:
     contact = first_contact(recording)
     if contact is None or abs(contact.time) <= TOLERANCE:
         return recording
-    note = f"time zero moved by {contact.time * 1e3:+.2f} ms to the first contact, found on {contact.channel}"
+    note = Reason.of("time-zero-moved", by=contact.time * 1e3, channel=contact.channel)
     return _noted(shifted(recording, contact.time), note)
 
 
@@ -152,17 +159,19 @@ def offset_free(recording: Recording, situation: Situation) -> Recording:
     until = -WINDOW - MARGIN if situation.free_flight else -MARGIN
     quiet = quiet_interval(recording.time, until=until)
     if quiet is None:
-        return _noted(recording, "no offset removed: less than 5 ms at rest were recorded before contact")
+        return _noted(recording, Reason.of("no-offset-removed", needed=SHORTEST * 1e3))
 
     def correct(channel: Channel) -> Channel:
         if channel.dimension not in {MOMENT, ELONGATION}:
             return channel
         values, offset = remove_offset(channel.values, quiet)
-        note = f"offset {offset * channel.dimension.scale:.4g} {channel.dimension.unit} removed"
+        note = Reason.of(
+            "offset-removed", offset=offset * channel.dimension.scale, unit=channel.dimension.unit
+        )
         return replace(channel, values=values, notes=(*channel.notes, note))
 
     first, last = recording.time[0] * 1e3, recording.time[quiet.stop - 1] * 1e3
-    note = f"offsets of bone and ligament channels removed over {first:.1f} to {last:.1f} ms"
+    note = Reason.of("offsets-removed", start=float(first), end=float(last))
     return _noted(_each_finite(recording, correct), note)
 
 
@@ -181,7 +190,7 @@ def right_way_round(recording: Recording, situation: Situation) -> Recording:
                 "(it should be positive here); turn its sign in the mapping, or let --lenient turn it"
             )
         return replace(
-            channel, values=-channel.values, notes=(*channel.notes, "sign turned: polarity was swapped")
+            channel, values=-channel.values, notes=(*channel.notes, Reason.of("sign-turned"))
         )
 
     return _each_finite(recording, check)
@@ -215,5 +224,5 @@ def _each_finite(recording: Recording, change: Callable[[Channel], Channel]) -> 
     return replace(recording, channels=channels)
 
 
-def _noted(recording: Recording, note: str) -> Recording:
+def _noted(recording: Recording, note: Reason) -> Recording:
     return replace(recording, notes=(*recording.notes, note))

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import DataError
+from certkit.reasons import Reason, UnusableError, reason_of
 from certkit.signals.cfc import CLASSES, cfc
 
 if TYPE_CHECKING:
@@ -46,17 +47,22 @@ class Filtered:
 
         Raises
         ------
-        DataError
-            When the channel is missing, is not finite, or cannot be filtered so: the message is the reason.
+        UnusableError
+            When the channel is missing, is not finite, or cannot be filtered so, with the reason.
         """
         if name not in self.recording:
-            raise DataError(f"channel `{name}` was not recorded")
+            raise UnusableError(
+                f"channel `{name}` was not recorded", Reason.of("channel-not-recorded", channel=name)
+            )
         channel = self.recording[name]
         bad = int(channel.values.size - np.count_nonzero(np.isfinite(channel.values)))
         if channel.values.size == 0:
-            raise DataError(f"channel `{name}` is empty")
+            raise UnusableError(f"channel `{name}` is empty", Reason.of("channel-empty", channel=name))
         if bad:
-            raise DataError(f"channel `{name}`: {bad} of its {channel.values.size} values are not numbers")
+            raise UnusableError(
+                f"channel `{name}`: {bad} of its {channel.values.size} values are not numbers",
+                Reason.of("channel-not-finite", channel=name, bad=bad, count=channel.values.size),
+            )
         if not needs_filter(channel, words):
             return channel.values
         key = (name, words)
@@ -64,7 +70,10 @@ class Filtered:
             try:
                 self._kept[key] = cfc(channel.values, self.recording.interval, CLASSES[words])
             except DataError as error:
-                raise DataError(f"channel `{name}`: {error}") from error
+                raise UnusableError(
+                    f"channel `{name}`: {error}",
+                    Reason.of("channel-unusable", channel=name, reason=reason_of(error)),
+                ) from error
         return self._kept[key]
 
 
@@ -85,7 +94,8 @@ def needs_filter(channel: Channel, words: str) -> bool:
         raise DataError(f"unknown filter `{words}`; there are none, {', '.join(CLASSES)}")
     seen = CLASSES.get(channel.filtered)
     if seen is not None and seen < CLASSES[words]:
-        raise DataError(
-            f"channel `{channel.name}` was already filtered with {channel.filtered}, narrower than {words}"
+        raise UnusableError(
+            f"channel `{channel.name}` was already filtered with {channel.filtered}, narrower than {words}",
+            Reason.of("channel-filtered-narrower", channel=channel.name, seen=channel.filtered, wanted=words),
         )
     return seen != CLASSES[words]

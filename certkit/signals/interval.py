@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.reasons import Reason
+
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
@@ -46,14 +48,16 @@ class AssessmentInterval:
     left_out: tuple[str, ...]
 
     @property
-    def words(self) -> str:
-        """Say in a sentence where the interval ends and why."""
-        text = f"assessment interval 0–{self.end * 1e3:.1f} ms, ended by {self.decided_by} crossing zero"
+    def reason(self) -> Reason:
+        """Say where the interval ends and why."""
+        details = []
         if self.shift > 0:
-            text += f" after all bone moments were lowered by {self.shift:.1f} N·m"
+            details.append(Reason.of("interval-lowered", shift=self.shift))
         if self.left_out:
-            text += f"; {', '.join(self.left_out)} stay within {MARGINAL_MOMENT:g} N·m and take no part"
-        return text
+            left = list(self.left_out)
+            details.append(Reason.of("interval-left-out", channels=left, marginal=MARGINAL_MOMENT))
+        ended = {"end": self.end * 1e3, "channel": self.decided_by}
+        return Reason.of("assessment-interval", **ended, details=details)
 
 
 def assessment_interval(

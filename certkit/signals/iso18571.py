@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from certkit.errors import DataError
+from certkit.reasons import Reason, UnusableError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -68,15 +69,23 @@ def rate(reference: NDArray[np.float64], signal: NDArray[np.float64]) -> Rating:
         constant.
     """
     if reference.shape != signal.shape or reference.ndim != 1:
-        raise DataError("the curves to be rated have different lengths; bring them on one time axis first")
+        raise UnusableError(
+            "the curves to be rated have different lengths; bring them on one time axis first",
+            Reason.of("rated-lengths-differ"),
+        )
     if reference.size < FEWEST_SAMPLES:
-        raise DataError(
-            f"{reference.size} samples are too few to be rated: {FEWEST_SAMPLES} at 10 kHz are needed"
+        raise UnusableError(
+            f"{reference.size} samples are too few to be rated: {FEWEST_SAMPLES} at 10 kHz are needed",
+            Reason.of("rated-too-short", count=reference.size, needed=FEWEST_SAMPLES),
         )
     if not (np.isfinite(reference).all() and np.isfinite(signal).all()):
-        raise DataError("a curve with values that are not numbers cannot be rated")
+        raise UnusableError(
+            "a curve with values that are not numbers cannot be rated", Reason.of("rated-not-finite")
+        )
     if np.ptp(reference) == 0:
-        raise DataError("the reference is constant; there is nothing to rate against")
+        raise UnusableError(
+            "the reference is constant; there is nothing to rate against", Reason.of("rated-constant")
+        )
     shift = _best_shift(reference, signal)
     a, b = _overlap(reference, signal, shift)
     limit = LARGEST_SHIFT * reference.size

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from certkit.reasons import Reason
     from certkit.signals.vocabulary import Dimension
 
 Kind = Literal["simulated", "measured"]
@@ -32,7 +33,7 @@ class Channel:
         SI values.
     filtered : str
         Filter the values have already seen (`CFC 180`), empty for raw values.
-    notes : tuple of str
+    notes : tuple of Reason
         What was assumed or done on the way here (offset removed, sign turned, …).
     """
 
@@ -41,7 +42,7 @@ class Channel:
     dimension: Dimension
     values: NDArray[np.float64]
     filtered: str = ""
-    notes: tuple[str, ...] = ()
+    notes: tuple[Reason, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -59,7 +60,7 @@ class Recording:
     conditions : mapping of str to float
         Conditions the test was done under, SI, by the words of the procedure's preconditions
         (`temperature` in kelvin, `ram mass` in kg, …). A missing one is unknown, not zero.
-    notes : tuple of str
+    notes : tuple of Reason
         What a reader made or assumed of the test as a whole.
     source : str
         File or procedure it came from.
@@ -69,7 +70,7 @@ class Recording:
     time: NDArray[np.float64]
     channels: Mapping[str, Channel]
     conditions: Mapping[str, float] = field(default_factory=dict)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Reason, ...] = ()
     source: str = ""
 
     def __getitem__(self, name: str) -> Channel:
