@@ -12,6 +12,7 @@ from certkit.definitions.loading.library import load, shelves
 from certkit.definitions.loading.validation import read_document
 from certkit.documents.comparison import Side
 from certkit.grading.compare_tests import ComparedTest, side_by_side
+from certkit.reporting.language import worded
 from certkit.signals import condition
 
 if TYPE_CHECKING:
@@ -62,11 +63,12 @@ def compare(
     if first.recording.kind == "simulated" and second.recording.kind == "measured":
         first, second = second, first
     labels = _labels(first, second)
-    return side_by_side(
+    document = side_by_side(
         _test(first, labels[0], sheet, lenient=lenient),
         _test(second, labels[1], sheet, lenient=lenient),
         until=until,
     )
+    return worded(document)
 
 
 def _procedure(named: str | Path | None, sources: tuple[Source, ...], library: Library) -> Procedure | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,9 +12,11 @@ from certkit.definitions.loading.validation import read_document
 from certkit.errors import UsageError
 from certkit.exchange.csv_write import write_csv
 from certkit.exchange.mme_write import write_mme
+from certkit.reporting.language import worded_reasons
 
 if TYPE_CHECKING:
     from certkit.documents.result import Result
+    from certkit.signals import Recording
 
 
 def export(source: str | Path | Result, target: str | Path, *, mapping: str | Path | None = None) -> Path:
@@ -51,5 +54,14 @@ def export(source: str | Path | Result, target: str | Path, *, mapping: str | Pa
         write_csv(loaded.recording, target)
         return target
     title = loaded.result.title if loaded.result else ""
-    write_mme(loaded.recording, target, header={"Title": title} if title else {}, mapping=own)
+    write_mme(_worded(loaded.recording), target, header={"Title": title} if title else {}, mapping=own)
     return target
+
+
+def _worded(recording: Recording) -> Recording:
+    """Return the recording with the notes on its channels in words, as they stand in a channel file."""
+    channels = {
+        name: replace(channel, notes=tuple(worded_reasons(channel.notes)))
+        for name, channel in recording.channels.items()
+    }
+    return replace(recording, channels=channels)

@@ -18,6 +18,8 @@ from certkit.errors import DataError
 from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.read import read_recording
 from certkit.grading import NO_LABORATORY, evaluate, measure_all
+from certkit.reasons import Reason
+from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
     from certkit.definitions.loading.library import Library
@@ -76,12 +78,14 @@ def grade(
         InputFile(role="recording", path=_shown(data, file.name), sha256=file.sha256) for file in read.files
     )
     recording = replace(read.recording, conditions=conditions)
-    return evaluate(
+    header = [f"{words}: {value}" for words, value in read.header.items()]
+    result = evaluate(
         measure_all(setup.procedure, recording, lenient=lenient),
         setup.terms(*files, *mapping_input, *lab.inputs),
         laboratory=lab,
-        notes=[*setup.remarks, *(f"{words}: {value}" for words, value in read.header.items())],
+        notes=[Reason.words(text) for text in (*setup.remarks, *header)],
     )
+    return worded(result)
 
 
 def _without_model(setup: Setup) -> Setup:

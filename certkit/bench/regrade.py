@@ -21,6 +21,7 @@ from certkit.grading import (
     evaluate,
     measure_all,
 )
+from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
     from certkit.documents.result import Result
@@ -65,12 +66,13 @@ def regrade(result: Result) -> Result:
     }
     # What was let pass then is let pass now, and listed in the document's notes.
     measured = measure_all(setup.procedure, recording_of(result), lenient=True)
-    return evaluate(
+    again = evaluate(
         measured,
         GradingTerms(setup.corridors, result.provenance, setup.reference, result.parameters),
         simulated=SimulatedTerms(quality=result.quality, numerical=numerical),
         laboratory=_laboratory(result),
     )
+    return worded(again)
 
 
 def _laboratory(result: Result) -> LaboratoryTerms:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.bench.run_simulation import run
 from certkit.definitions.loading.library import load
 from certkit.grading import with_spread
+from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -49,7 +50,7 @@ def run_family(
             step(member.id)
         own = {f"legform.{path}": value for path, value in member.values.items()}
         results.append(run(procedure, library=library, overrides={**own, **(overrides or {})}, refine=False))
-    return with_spread(results)
+    return worded(with_spread(results))
 
 
 def _legform_of(procedure: str | Path, library: Library, overrides: Overrides | None) -> str:

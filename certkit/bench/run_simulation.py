@@ -18,6 +18,8 @@ from certkit.grading import (
     numerical_uncertainties,
     step_change_percent,
 )
+from certkit.reasons import Reason
+from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -90,7 +92,8 @@ def run_setup(setup: Setup, *, refine: bool = True) -> Result:
         energies=energies(simulation),
         front=front(simulation),
     )
-    return evaluate(measured, setup.terms(), simulated=simulated, notes=setup.remarks)
+    notes = [Reason.words(text) for text in setup.remarks]
+    return worded(evaluate(measured, setup.terms(), simulated=simulated, notes=notes))
 
 
 def _simulate(setup: Setup, *, time_step: float | None = None, iterations: int | None = None) -> Simulation:

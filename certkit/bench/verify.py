@@ -17,6 +17,7 @@ from certkit.documents.result import Result
 from certkit.errors import CertkitError, DataError
 from certkit.exchange.channels_csv import channels_csv
 from certkit.exchange.container import read_bounded
+from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -219,6 +220,9 @@ def _document_checks(
         checks.append(
             Check(f"{name}: bytes", untouched, "" if untouched else "are not as certkit writes them")
         )
+    if not (isinstance(document, Result) and _of_another_certkit(document)):
+        same = worded(document) == document
+        checks.append(Check(f"{name}: words", same, "" if same else "are not those of its coded reasons"))
     if isinstance(document, Result):
         checks += _input_checks(name, document)
     return checks

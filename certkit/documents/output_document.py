@@ -17,6 +17,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from certkit.documents.wording import without_words
 from certkit.errors import DataError
 from certkit.files import write_whole
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -26,7 +27,7 @@ LARGEST = 200_000_000
 """Bytes; a test of 20 channels with 200,000 samples each takes 50 million."""
 
 NOT_IN_ID: Final = object()
-"""Marks a field (`Annotated[…, NOT_IN_ID]`) that depends on clock, machine or language: no id covers it."""
+"""Marks a field (`Annotated[…, NOT_IN_ID]`) that depends on clock or machine: no id covers it."""
 
 ID_LENGTH = 16
 ID_GROUP = 4
@@ -135,9 +136,10 @@ class OutputDocument(Part):
     def content_id(self) -> str:
         """Return the id that the content makes, such as `3F9A-1C07-8B2E-44D1`: 64 bits of a SHA-256.
 
-        It covers all fields but itself and those marked `NOT_IN_ID`: what depends on clock, machine or
-        language, and the words of coded reasons. Numbers count with the seven digits of the file. Fields with their default value are left
-        out too, so that a later certkit, whose document has more fields, comes to the same id.
+        It covers all fields but itself and those marked `NOT_IN_ID`, which depend on clock or machine, and
+        not the words of coded reasons, which depend on the language. Numbers count with the seven digits of
+        the file. Fields with their default value are left out too, so that a later certkit, whose document
+        has more fields, comes to the same id.
         """
         left_out = {"id": True, **_outside(type(self))}
         counted = without_words(self).model_dump_json(exclude=left_out, exclude_defaults=True)
@@ -206,6 +208,8 @@ def _outside(model: type[BaseModel]) -> dict[str, Any]:
 
 
 def _outside_of(annotation: Any) -> dict[str, Any]:  # noqa: ANN401  # any type annotation
+    if annotation is Reason:
+        return {}  # its words are taken away before; reasons may hold reasons without end
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return _outside(annotation)
     found: dict[str, Any] = {}

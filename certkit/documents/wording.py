@@ -56,17 +56,15 @@ def _worded(value: Any, words: Callable[[Reason], str]) -> Any:  # noqa: ANN401 
         return value.worded(words(value))
     if isinstance(value, BaseModel):
         return with_words(value, words)
+    items = list(value.values()) if isinstance(value, dict) else value
+    if not isinstance(items[0], BaseModel):
+        return value
+    changed = [_worded(item, words) for item in items]
+    if all(new is old for new, old in zip(changed, items, strict=True)):
+        return value
     if isinstance(value, dict):
-        if not isinstance(next(iter(value.values())), BaseModel):
-            return value
-        kept = {name: _worded(item, words) for name, item in value.items()}
-        return kept if any(kept[name] is not value[name] for name in value) else value
-    if not isinstance(value[0], BaseModel):
-        return value
-    items = [_worded(item, words) for item in value]
-    if all(new is old for new, old in zip(items, value, strict=True)):
-        return value
-    return tuple(items) if isinstance(value, tuple) else items
+        return dict(zip(value, changed, strict=True))
+    return tuple(changed) if isinstance(value, tuple) else changed
 
 
 def _texts(coded: Reason | Sequence[Reason]) -> str | list[str]:

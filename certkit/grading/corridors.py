@@ -75,9 +75,7 @@ def find_corridor(criterion: Criterion, corridors: Mapping[str, CorridorSet]) ->
     if found is None:
         return Missing(Reason.of("corridor-set-not-found", set=name), required=True)
     if found.impactor != IMPACTOR:
-        return Missing(
-            Reason.of("corridor-set-for-other", set=name, impactor=found.impactor), required=True
-        )
+        return Missing(Reason.of("corridor-set-for-other", set=name, impactor=found.impactor), required=True)
     if entry_name in found.awaited:
         return Missing(Reason.words(found.awaited[entry_name]), required=False)
     if entry_name not in found.entries:

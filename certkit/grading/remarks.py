@@ -88,11 +88,11 @@ def _confidence(graded: Iterable[CriterionResult]) -> list[Reason]:
 
 
 def _compared(comparison: Comparison) -> Reason:
-    said = {"reference": comparison.reference, "error": comparison.rms_error_percent}
+    reference, error = comparison.reference, comparison.rms_error_percent
     published = comparison.published_rms_error_percent
     if published is None:
-        return Reason.of("compared", **said)
-    return Reason.of("compared-with-published", **said, published=published)
+        return Reason.of("compared", reference=reference, error=error)
+    return Reason.of("compared-with-published", reference=reference, error=error, published=published)
 
 
 def _model(parameters: Sequence[Parameter]) -> Reason:

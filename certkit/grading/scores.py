@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from certkit.definitions.units import parse_quantity
 from certkit.documents.result import ScoreResult
 from certkit.errors import UsageError
-from certkit.reasons import Reason
 from certkit.grading.corridors import IMPACTOR
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

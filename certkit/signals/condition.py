@@ -189,9 +189,7 @@ def right_way_round(recording: Recording, situation: Situation) -> Recording:
                 f"{recording.source or 'recording'}: channel `{channel.name}` has its polarity swapped "
                 "(it should be positive here); turn its sign in the mapping, or let --lenient turn it"
             )
-        return replace(
-            channel, values=-channel.values, notes=(*channel.notes, Reason.of("sign-turned"))
-        )
+        return replace(channel, values=-channel.values, notes=(*channel.notes, Reason.of("sign-turned")))
 
     return _each_finite(recording, check)
 

@@ -56,8 +56,8 @@ class AssessmentInterval:
         if self.left_out:
             left = list(self.left_out)
             details.append(Reason.of("interval-left-out", channels=left, marginal=MARGINAL_MOMENT))
-        ended = {"end": self.end * 1e3, "channel": self.decided_by}
-        return Reason.of("assessment-interval", **ended, details=details)
+        end = self.end * 1e3
+        return Reason.of("assessment-interval", end=end, channel=self.decided_by, details=details)
 
 
 def assessment_interval(

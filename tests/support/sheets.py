@@ -15,6 +15,8 @@ from certkit.definitions.procedure import Criterion, Procedure
 from certkit.definitions.reference import Reference
 from certkit.documents.result import Provenance
 from certkit.grading import GradingTerms, LaboratoryTerms, SimulatedTerms, evaluate, measure_all
+from certkit.reasons import Reason
+from certkit.reporting.language import worded
 from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:
@@ -77,13 +79,14 @@ def grade(
 ) -> Result:
     """Grade by a made-up sheet; `quality=`, `decision=` and the like go where they belong."""
     own = {field.name for field in fields(SimulatedTerms)}
-    return evaluate(
+    result = evaluate(
         measure_all(sheet, rec, lenient=lenient),
         GradingTerms(corridors, PROVENANCE, reference),
         simulated=SimulatedTerms(**{k: v for k, v in more.items() if k in own}),
         laboratory=LaboratoryTerms(**{k: v for k, v in more.items() if k not in own}),
-        notes=notes,
+        notes=[Reason.words(note) for note in notes],
     )
+    return worded(result)
 
 
 def only(result: Result) -> CriterionResult:

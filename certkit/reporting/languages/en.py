@@ -1,0 +1,165 @@
+"""English. Fixed words stand in the templates themselves, so only reasons are told here."""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+
+NAME = "English"
+
+VERDICTS = MappingProxyType(
+    {word: word for word in ("pass", "fail", "conditional", "not evaluated", "error", "informative")}
+)
+
+WORDS: MappingProxyType[str, str] = MappingProxyType({})
+
+REASONS = MappingProxyType(
+    {
+        # What a verdict rests on and does not cover.
+        "run-untrusted": "The run cannot be trusted: {check} {value:.3g} {unit} exceeds {limit:g} {unit}.",
+        "test-not-evaluated": "Not evaluated: {reason}.",
+        "no-criterion-graded": (
+            "Not evaluated: no criterion has a corridor that it could be graded against."
+        ),
+        "remark-on-criterion": "{criterion}: {reason}.",
+        "rests-on-recalled": (
+            "Rests on recalled corridors, not verified against the regulation's text ({criteria:and})."
+        ),
+        "rests-on-secondary": (
+            "Rests on secondary corridors, read in somebody's account of the regulation ({criteria:and})."
+        ),
+        "rests-on-derived": (
+            "Rests on derived corridors, which follow by arithmetic from their sources ({criteria:and})."
+        ),
+        "rests-on-calibrated": "Rests on calibrated limits, which were fitted ({criteria:and}).",
+        "rests-on-estimated": "Rests on estimated corridors, which are a judgement ({criteria:and}).",
+        "not-covered": "Does not cover {criteria:and}: shown for information, no corridor is known.",
+        "compared": "Compared with {reference}: rms error {error:.1f} %.",
+        "compared-with-published": (
+            "Compared with {reference}: rms error {error:.1f} % "
+            "(the published simulation: {published:.1f} %)."
+        ),
+        "numbers-that-went-in": (
+            "Of the {count} numbers that went in, {shares:and}; each is listed with its origin."
+        ),
+        "count-of-confidence": "{count} {confidence:word}",
+        "model-not-legform": (
+            "A virtual certification of the model; not a calibration certificate of a legform."
+        ),
+        "no-calibration-certificate": (
+            "An evaluation of a measured test; not a calibration certificate of the legform."
+        ),
+        "score-set-not-found": "Scores are not given: the set `{set}` was not found.",
+        "score-set-for-other": "Scores are not given: `{set}` is for the {impactor}.",
+        "score-not-measured": "Score {score} is not given: {criteria:list} not measured.",
+        "spread-over-family": (
+            "Values are the nominal leg's, with their spread over {legs} certified legs ({verdicts:list})."
+        ),
+        "count-of-verdict": "{count} {verdict:verdict}",
+        "legs-that-pass": "{criterion}: {passed} of {legs} legs pass.",
+        # Decision rules.
+        "simple-acceptance": "simple acceptance",
+        "guard-band": "guard band w = {ratio:g}·U (ILAC-G8:09/2019)",
+        # Why a criterion has no value, or this verdict.
+        "channel-not-recorded": "channel `{channel}` was not recorded",
+        "channel-empty": "channel `{channel}` is empty",
+        "channel-not-finite": "channel `{channel}`: {bad} of its {count} values are not numbers",
+        "channel-unusable": "channel `{channel}`: {reason}",
+        "channel-filtered-narrower": (
+            "channel `{channel}` was already filtered with {seen}, narrower than {wanted}"
+        ),
+        "sampled-too-slowly": (
+            "sampled at {rate:.6g} Hz, CFC {frequency_class:g} needs at least {needed:g} Hz; "
+            "export the channel at its full sampling rate"
+        ),
+        "too-short-to-filter": "{count} sample(s) cannot be filtered",
+        "not-finite-to-filter": (
+            "a value that is not a number cannot be filtered; mend or leave out the channel"
+        ),
+        "nothing-recorded": "nothing was recorded from {start:.6g} to {end:.6g} ms after contact",
+        "level-never-reached": "{channel} never reaches {level}",
+        "no-assessment-interval": "no assessment interval: {reason}",
+        "bone-moments-small": "no bone moment has a maximum beyond {marginal:g} N·m",
+        "no-corridor": "no corridor is known",
+        "corridor-set-not-found": "the corridor set `{set}` was not found",
+        "corridor-set-for-other": "the corridor set `{set}` is for the {impactor}",
+        "corridor-not-in-set": "the corridor set `{set}` has no `{entry}`",
+        "single-point": "a single point is no curve",
+        "curve-covers-little": (
+            "the curve runs through {covered:.0%} of the corridor only; {needed:.0%} is needed"
+        ),
+        "recorded-too-short": (
+            "recorded from {start:.4g} to {end:.4g} ms, "
+            "the corridor reaches from {corridor_start:.4g} to {corridor_end:.4g} ms"
+        ),
+        "no-sample-under-corridor": "no sample lies under the corridor",
+        "value-not-finite": "the value is not a number",
+        "corridor-without-limit": "the corridor has no limit",
+        "uncertainty-not-finite": "the expanded uncertainty is not a number",
+        "uncertainty-missing": "the guard band needs an expanded uncertainty for this channel",
+        "inside-guard-band": "inside the corridor, but within the guard band",
+        "within-numerical-uncertainty": (
+            "nearer to its limit than its numerical uncertainty of {uncertainty:.2g} {unit}"
+        ),
+        # Conditions of the test.
+        "condition-not-recorded": "{quantity} was not recorded",
+        "condition-not-recorded-not-required": "{quantity} was not recorded; it is not required",
+        "condition-not-finite": "{quantity} is not a number",
+        "condition-not-finite-not-required": "{quantity} is not a number; it is not required",
+        "condition-outside": "{quantity} {value:.4g} {unit} is outside {lower} to {upper}",
+        "sensor-expired": (
+            "the calibration of sensor {sensor} ({channel}) expired on {day}; the test was on {tested}"
+        ),
+        "sensor-calibrated-later": (
+            "the calibration of sensor {sensor} ({channel}) was calibrated on {day} only; "
+            "the test was on {tested}"
+        ),
+        # Limits of the numerical quality gate.
+        "energy-balance": "energy balance",
+        "joint-gap": "joint gap",
+        "penetration": "penetration",
+        "step-change": "change when the step is halved",
+        # Notes on recording and conditioning.
+        "note-of-criteria": "{criteria:list}: {text}",
+        "note-of-channel": "{channel}: {reason}",
+        "filters": "Filters: {edition}, run forward and backward.",
+        "assessment-interval": (
+            "Assessment interval 0–{end:.1f} ms, ended by {channel} crossing zero{details:join}."
+        ),
+        "interval-lowered": " after all bone moments were lowered by {shift:.1f} N·m",
+        "interval-left-out": "; {channels:list} stay within {marginal:g} N·m and take no part",
+        "clipped-kept": "clipped at {level:.6g} {unit} from {time:.3f} ms on; kept because of --lenient",
+        "time-zero-moved": "time zero moved by {by:+.2f} ms to the first contact, found on {channel}",
+        "no-offset-removed": (
+            "no offset removed: less than {needed:g} ms at rest were recorded before contact"
+        ),
+        "offset-removed": "offset {offset:.4g} {unit} removed",
+        "offsets-removed": ("offsets of bone and ligament channels removed over {start:.1f} to {end:.1f} ms"),
+        "sign-turned": "sign turned: polarity was swapped",
+        "assumed": "{place}: {fault}; assumed: {assumption}",
+        "left-out": "{fault}; assumed: {channel} was not recorded",
+        "questionable-data": "{place}: data status is `questionable data`",
+        "recorded-twice": "{channel} was recorded twice; {code} is used",
+        "data-not-usable": "{channel} is not used: the data of {file} are not usable",
+        "codes-not-used": "not used: {codes:list}",
+        # Error tables and comparisons.
+        "not-in-rms": "Not measured, so not in the rms error: {criteria:list}.",
+        "published-rounded": (
+            "Published errors are rounded to whole percent, as they were printed, and so is their rms."
+        ),
+        "only-in": "Only in {test}: {channels:list}.",
+        "values-of-criteria": "Values are those of the criteria.",
+        "values-of-peaks": (
+            "Values are the peaks of the channels, {filter}, on the side where the reference has its peak."
+        ),
+        "reference-nearly-zero": (
+            "The reference is nearly zero, so there is no relative error: {channels:list}."
+        ),
+        "rated-too-slow": "sampled too slowly for a rating at 10 kHz",
+        "rated-lengths-differ": (
+            "the curves to be rated have different lengths; bring them on one time axis first"
+        ),
+        "rated-too-short": "{count} samples are too few to be rated: {needed} at 10 kHz are needed",
+        "rated-not-finite": "a curve with values that are not numbers cannot be rated",
+        "rated-constant": "the reference is constant; there is nothing to rate against",
+    }
+)
