@@ -45,9 +45,9 @@ def png(width: int = 40, height: int = 20) -> bytes:
 def test_a_sensor_covers_its_last_day_and_no_other(tmp_path: Path):
     checks = read_laboratory(written(tmp_path)).checks
     assert [check.verdict for check in checks] == ["pass", "fail", "fail"]
-    reasons = [check.reason for check in checks]
-    assert "sensor B (T2) expired on 2026-03-01" in reasons[1]
-    assert "sensor C (T3) was calibrated on 2026-03-03 only" in reasons[2]
+    expired, late = checks[1].coded_reason, checks[2].coded_reason
+    assert (expired.code, expired.parameters["day"]) == ("sensor-expired", "2026-03-01")
+    assert (late.code, late.parameters["day"]) == ("sensor-calibrated-later", "2026-03-03")
 
 
 def test_uncertainties_and_conditions_are_si(tmp_path: Path):

@@ -12,6 +12,7 @@ from certkit.documents.document_kinds import DOCUMENTS, document_class, document
 from certkit.documents.output_document import NOT_IN_ID, OutputDocument, Part, listed_json
 from certkit.documents.rounding import Figure, Figures
 from certkit.errors import DataError
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -124,6 +125,8 @@ def _bare_floats(model: type[BaseModel], place: str) -> Iterator[str]:
 
 
 def _bare(annotation: object, place: str) -> Iterator[str]:
+    if annotation is Reason:
+        return  # rounds its numbers when it is made
     if annotation is float:
         yield place
     elif isinstance(annotation, type) and issubclass(annotation, BaseModel):

@@ -17,6 +17,7 @@ from certkit.documents.result import Quality, Result
 from certkit.documents.rounding import rounded, rounded_all
 from certkit.errors import DataError, UsageError
 from certkit.grading import exit_code, with_spread, worst
+from certkit.reporting.language import worded
 from certkit.signals import Filtered
 
 if TYPE_CHECKING:
@@ -243,7 +244,7 @@ def test_a_family_gives_each_value_its_spread():
 
 
 def test_a_familys_verdict_is_the_nominal_legs_and_says_how_many_pass():
-    family = with_spread([result(250.0), result(250.0), result(300.0)])
+    family = worded(with_spread([result(250.0), result(250.0), result(300.0)]))
     assert family.verdict == "pass"
     assert any("3 certified legs (1 fail, 2 pass)" in remark for remark in family.remarks)
     assert "T1: 2 of 3 legs pass." in family.remarks

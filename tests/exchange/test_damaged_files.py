@@ -39,8 +39,8 @@ def test_lenient_reading_lists_each_assumption(mme: Path):
         read_recording(mme)
     read = read_recording(mme, lenient=True)
     assert len(read.assumptions) == 2
-    assert any("no channel list" in a for a in read.assumptions)
-    assert any("9 samples announced" in a for a in read.assumptions)
+    assert any("no channel list" in str(a) for a in read.assumptions)
+    assert any("9 samples announced" in str(a) for a in read.assumptions)
     assert set(read.assumptions) <= set(read.recording.notes)
 
 
@@ -49,7 +49,7 @@ def test_two_time_bases_are_brought_together_only_when_lenient(mme: Path):
     channel.write_text(channel.read_text().replace(":0.0001\n", ":0.0002\n"))
     read = read_recording(mme, lenient=True)
     assert read.recording.interval == pytest.approx(1e-4)
-    assert "two time bases" in read.assumptions[0]
+    assert "two time bases" in str(read.assumptions[0])
 
 
 def test_a_channel_with_a_gap_is_left_out_only_when_lenient(mme: Path, table: Path):
@@ -66,7 +66,7 @@ def test_a_channel_with_a_gap_is_left_out_only_when_lenient(mme: Path, table: Pa
         read = read_recording(path, lenient=True)
         assert "T1" not in read.recording
         assert "T2" in read.recording
-        assert "T1 was not recorded" in read.assumptions[0]
+        assert read.assumptions[0].parameters["channel"] == "T1"
 
 
 def test_a_gap_in_time_cannot_be_let_pass(table: Path):

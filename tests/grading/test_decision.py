@@ -10,6 +10,8 @@ from hypothesis import strategies as st
 
 from certkit.errors import UsageError
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule, decide, false_accept
+from certkit.reasons import Reason
+from certkit.reporting.language import language
 
 GUARDED = DecisionRule(1.0)
 ANY = st.floats(allow_nan=True, allow_infinity=True)
@@ -49,7 +51,7 @@ def test_half_a_guard_band_is_half_as_wide():
 def test_a_guard_band_without_an_uncertainty_decides_nothing():
     decision = decide(GUARDED, 250.0, 235.0, 272.0)
     assert decision.verdict == "not evaluated"
-    assert "needs an expanded uncertainty" in decision.reason
+    assert decision.reason == Reason.of("uncertainty-missing")
 
 
 def test_on_the_limit_half_of_all_values_are_falsely_accepted():
@@ -105,5 +107,5 @@ def test_a_guard_band_that_widens_the_limits_is_refused(ratio: float):
 
 
 def test_the_rule_is_named_as_on_the_certificate():
-    assert SIMPLE_ACCEPTANCE.words == "simple acceptance"
-    assert GUARDED.words == "guard band w = 1·U (ILAC-G8:09/2019)"
+    assert language().sentence(SIMPLE_ACCEPTANCE.reason) == "simple acceptance"
+    assert language().sentence(GUARDED.reason) == "guard band w = 1·U (ILAC-G8:09/2019)"

@@ -9,10 +9,11 @@ from support.sheets import TIME, bump, criterion, recording
 from certkit.definitions.channels import TIME as TIME_DIMENSION
 from certkit.errors import UsageError
 from certkit.grading.measure import EvaluationWindow, MeasuredValue, NoInterval, measure
+from certkit.reasons import Reason
 from certkit.signals import AssessmentInterval, Filtered, Recording
 
 WHOLE = EvaluationWindow(0.0, 0.2)
-NO_INTERVAL = NoInterval("no assessment interval: made up")
+NO_INTERVAL = NoInterval(Reason.words("made up"))
 
 
 def taken(
@@ -83,7 +84,7 @@ def test_without_an_assessment_interval_nothing_is_measured():
         criterion(channel="T1", interval="assessment interval"), Filtered(DIP_AND_HILL), WHOLE, NO_INTERVAL
     )
     assert found.value is None
-    assert found.reason == "no assessment interval: made up"
+    assert found.reason == NO_INTERVAL.reason
 
 
 LEVELS = np.linspace(0.0, 5000.0, 11)
@@ -129,7 +130,7 @@ def test_a_last_level_missed_by_rounding_counts_as_reached():
 def test_value_at_a_level_that_is_never_reached_is_not_measured():
     found = at_force("5001 N")
     assert found.value is None
-    assert found.reason == "ram force never reaches 5001 N"
+    assert found.reason == Reason.of("level-never-reached", channel="ram force", level="5001 N")
 
 
 def test_value_at_takes_the_first_time_of_several():
@@ -141,7 +142,7 @@ def test_value_at_takes_the_first_time_of_several():
 def test_value_at_of_a_missing_guide_is_not_measured():
     found = taken(DIP_AND_HILL, measure="value at", at={"channel": "ram force", "equals": "1 N"})
     assert found.value is None
-    assert "`ram force` was not recorded" in found.reason
+    assert found.reason == Reason.of("channel-not-recorded", channel="ram force")
 
 
 def test_a_wrong_unit_is_an_error_of_the_sheet():
@@ -157,7 +158,7 @@ def test_value_at_without_a_place_is_an_error_of_the_sheet():
 def test_a_missing_channel_is_not_measured():
     found = taken(recording({"T2": bump(1.0)}))
     assert found.value is None
-    assert found.reason == "channel `T1` was not recorded"
+    assert found.reason == Reason.of("channel-not-recorded", channel="T1")
     assert found.dimension.unit == "N·m"
 
 
@@ -168,9 +169,10 @@ def test_a_channel_with_one_bad_value_is_not_measured(bad: float, how: str):
     values[1234] = bad
     found = taken(recording({"T1": values}), measure=how)
     assert found.value is None
-    assert "1 of its 2001 values are not numbers" in found.reason
+    assert found.reason == Reason.of("channel-not-finite", channel="T1", bad=1, count=2001)
 
 
 def test_a_record_that_ends_before_contact_is_not_measured():
     time = TIME - 1.0
-    assert "nothing was recorded from 0 to 200 ms" in taken(recording({"T1": bump(1.0)}, time=time)).reason
+    found = taken(recording({"T1": bump(1.0)}, time=time))
+    assert found.reason == Reason.of("nothing-recorded", start=0.0, end=200.0)

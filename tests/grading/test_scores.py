@@ -10,6 +10,7 @@ from certkit.definitions.loading.library import load
 from certkit.documents.result import CriterionResult
 from certkit.errors import UsageError
 from certkit.grading.scores import grade_scores, points
+from certkit.reasons import Reason
 
 EURO_NCAP = load("corridors", "euro-ncap-2014").document.scores
 
@@ -56,7 +57,7 @@ def test_a_cruciate_ligament_at_10_mm_forfeits_the_knees_points():
 def test_a_missing_value_earns_nothing_and_is_named():
     scores, remarks = grade_scores(EURO_NCAP, criteria(**{**CALM, "T4": None}))
     assert [score.id for score in scores] == ["knee"]
-    assert remarks == ["Score tibia is not given: T4 not measured."]
+    assert remarks == [Reason.of("score-not-measured", score="tibia", criteria=["T4"])]
 
 
 def test_a_score_in_another_kind_of_unit_is_refused():

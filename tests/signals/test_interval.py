@@ -50,7 +50,7 @@ def test_a_bone_that_stays_within_15_newton_metres_takes_no_part():
     assert found is not None
     assert found.end == pytest.approx(0.030, abs=1e-6)
     assert found.left_out == ("F3",)
-    assert "F3" in found.words
+    assert "F3" in str(found.reason)
 
 
 def test_a_bone_that_never_crosses_zero_lowers_all_curves_until_it_does():
@@ -61,7 +61,7 @@ def test_a_bone_that_never_crosses_zero_lowers_all_curves_until_it_does():
     assert found.shift == pytest.approx(never[lowest])
     assert found.decided_by == "T2"
     assert found.end == pytest.approx(TIME[lowest], abs=1e-4)
-    assert "lowered by" in found.words
+    assert "interval-lowered" in str(found.reason)
 
 
 def test_a_bone_lowered_below_zero_as_a_whole_has_crossed_at_its_maximum():

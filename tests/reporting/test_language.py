@@ -1,0 +1,128 @@
+"""Reasons are codes until they are read; each language has words for all of them, and no id covers words."""
+
+from __future__ import annotations
+
+import ast
+import re
+import string
+from pathlib import Path
+
+import pytest
+
+from certkit.documents.wording import without_words
+from certkit.errors import UsageError
+from certkit.reasons import Reason
+from certkit.reporting.language import language, languages, worded
+from tests.support.sheets import bump, corridor_set, grade, procedure, recording
+
+PACKAGE = Path(__file__).parents[2] / "certkit"
+MADE_FROM_PARTS = {
+    "rests-on-recalled",
+    "rests-on-secondary",
+    "rests-on-derived",
+    "rests-on-calibrated",
+    "rests-on-estimated",
+    "condition-not-recorded",
+    "condition-not-recorded-not-required",
+    "condition-not-finite",
+    "condition-not-finite-not-required",
+    "simple-acceptance",
+    "guard-band",
+    "model-not-legform",
+    "no-calibration-certificate",
+    "energy-balance",
+    "joint-gap",
+    "penetration",
+    "step-change",
+    "sensor-expired",
+    "sensor-calibrated-later",
+}
+"""Codes that do not stand as a word in `Reason.of("…")`, but in a table or a choice."""
+
+
+def made() -> dict[str, set[str]]:
+    """Return the codes that the program makes with a literal word, and the parameters of each."""
+    found: dict[str, set[str]] = {}
+    for path in PACKAGE.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if (
+                isinstance(node, ast.Call)
+                and ast.unparse(node.func) == "Reason.of"
+                and isinstance(node.args[0], ast.Constant)
+            ):
+                found.setdefault(str(node.args[0].value), set()).update(k.arg for k in node.keywords if k.arg)
+    return found
+
+
+def fields(template: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(template) if name}
+
+
+def failing():
+    sheet = procedure({"id": "T1", "corridor": "set/T1", "filter": "CFC 180"}, {"id": "T2"}, {"id": "T3"})
+    corridors = corridor_set(windows={"T1": {"lower": "235 N·m", "upper": "272 N·m"}})
+    return grade(sheet, corridors, recording({"T1": bump(200.0), "T2": bump(10.0)}), notes=["as it is"])
+
+
+def test_every_reason_that_is_made_has_an_english_sentence_of_its_parameters():
+    english = language().reasons
+    assert {code for code in made() if code not in english} == set()
+    wrong = {code: names for code, names in made().items() if not fields(english[code]) <= names}
+    assert wrong == {}
+
+
+def test_no_sentence_stands_there_for_nothing():
+    assert set(language().reasons) - set(made()) == MADE_FROM_PARTS - set(made())
+
+
+@pytest.mark.parametrize("code", languages())
+def test_a_language_has_every_verdict_and_every_reason_with_its_parameters(code: str):
+    english, spoken = language(), language(code)
+    assert set(spoken.verdicts) == set(english.verdicts)
+    assert set(spoken.reasons) == set(english.reasons)
+    for name, template in spoken.reasons.items():
+        assert fields(template) <= fields(english.reasons[name]), name
+
+
+@pytest.mark.parametrize("code", languages())
+def test_an_id_does_not_depend_on_the_language(code: str):
+    result = failing()
+    assert worded(result, code).content_id() == result.id == result.with_id().id
+
+
+def test_words_are_those_of_the_codes_and_are_taken_away_again():
+    result = failing()
+    assert result.remarks == [reason.text for reason in result.coded_remarks]
+    assert all(result.remarks)
+    assert "as it is" in result.notes
+    bare = without_words(result)
+    assert (bare.remarks, bare.notes) == ([], [])
+    assert worded(bare) == result
+
+
+def test_an_id_covers_the_code_and_its_parameters():
+    result = failing()
+    changed = [*result.coded_remarks[:-1], Reason.of("no-criterion-graded")]
+    assert result.model_copy(update={"coded_remarks": changed}).content_id() != result.id
+
+
+def test_an_id_covers_words_without_a_code():
+    """As an earlier certkit wrote them: nobody may change them either."""
+    result = failing()
+    plain = result.model_copy(update={"coded_remarks": [], "remarks": ["Passed with honours."]})
+    other = plain.model_copy(update={"remarks": ["Failed."]})
+    assert plain.content_id() != other.content_id()
+
+
+def test_a_reason_of_another_certkit_keeps_the_words_it_came_with():
+    assert language().sentence(Reason(code="of-tomorrow", text="Said tomorrow.")) == "Said tomorrow."
+    assert language().sentence(Reason(code="condition-outside", text="Outside.")) == "Outside."
+
+
+def test_a_users_own_words_are_told_as_they_are():
+    assert language().sentence(Reason.words("bleibt {so}")) == "bleibt {so}"
+
+
+def test_an_unknown_language_is_refused_with_those_there_are():
+    with pytest.raises(UsageError, match=re.escape(", ".join(languages()))):
+        language("xx")
