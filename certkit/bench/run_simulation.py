@@ -5,9 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from certkit.bench.energies import energies
-from certkit.bench.front import front
-from certkit.bench.picture import picture
 from certkit.bench.setup import Setup, prepare
 from certkit.grading import (
     SimulatedTerms,
@@ -88,9 +85,9 @@ def run_setup(setup: Setup, *, refine: bool = True) -> Result:
         quality=quality,
         numerical=refinement.uncertainties if refinement else {},
         legform=setup.legform.title,
-        motion=picture(simulation.motion),
-        energies=energies(simulation),
-        front=front(simulation),
+        motion=simulation.motion,
+        energies=simulation.energies,
+        front=simulation.front,
     )
     notes = [Reason.words(text) for text in setup.remarks]
     return worded(evaluate(measured, setup.terms(), simulated=simulated, notes=notes))

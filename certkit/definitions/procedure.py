@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal, Self, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, get_args
 
 from pydantic import Field, model_validator
 
@@ -12,6 +12,9 @@ from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.provenance import Confidence, Time
 from certkit.definitions.rig import Rig
 from certkit.definitions.units import UNITS, parse_quantity
+
+if TYPE_CHECKING:
+    from certkit.definitions.fixtures.fixture import TestKind
 
 
 class Method(Document):
@@ -135,6 +138,11 @@ class Procedure(Section):
     reference: str | None = None
     score: Annotated[str | None, Field(description="Corridor set whose scores are shown.")] = None
     notes: list[str] = []
+
+    @property
+    def test_kind(self) -> TestKind:
+        """Return `static`, `dynamic` or `flight`, as its rig's fixtures say."""
+        return self.rig.test_kind
 
     @model_validator(mode="before")
     @classmethod

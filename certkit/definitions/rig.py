@@ -1,117 +1,47 @@
-"""The fixtures of a rig. A procedure is a combination of them; the mechanics room knows them one by one."""
+"""The rig of a procedure: any combination of the fixtures in `certkit.definitions.fixtures`."""
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from pydantic import Field
+from pydantic import create_model
 
 from certkit.definitions.base import Section
-from certkit.definitions.provenance import (
-    Angle,
-    Force,
-    Length,
-    Mass,
-    Pressure,
-    Speed,
-    Stiffness,
-)
+from certkit.definitions.fixtures import FIXTURES
 
-End = Literal["femur end", "tibia end"]
+if TYPE_CHECKING:
+    from certkit.definitions.fixtures.fixture import Fixture, TestKind
+
+F = TypeVar("F", bound="Fixture")
 
 
-class Hinge(Section):
-    """A pin that holds one end of the leg to the rig, beyond the end by `offset`."""
+class RigBase(Section):
+    """What a rig can be asked; `Rig` adds one field for each fixture."""
 
-    at: End
-    offset: Length
+    def fixtures(self) -> list[Fixture]:
+        """Return the fixtures on it, in the order in which the model builds them."""
+        found = [getattr(self, kind.field_name()) for kind in FIXTURES]
+        return [fixture for fixture in found if fixture is not None]
 
+    def fixture(self, kind: type[F]) -> F | None:
+        """Return its fixture of a kind, none where it has none."""
+        return next((found for found in self.fixtures() if isinstance(found, kind)), None)
 
-class AddedMass(Section):
-    """A mass fixed to one end of the leg, beyond the end by `offset`."""
-
-    at: End
-    offset: Length
-    mass: Mass
-
-
-class Release(Section):
-    """The leg is let go at an angle above the horizontal and swings down about the hinge."""
-
-    angle: Angle
-    start: Annotated[
-        Literal["at contact", "full swing"],
-        Field(description="`at contact` starts with the speed that the fall gives; same peaks, less time."),
-    ] = "at contact"
+    @property
+    def test_kind(self) -> TestKind:
+        """Return what its fixtures make of the test; `dynamic` where none says otherwise."""
+        kinds = {fixture.test_kind for fixture in self.fixtures()}
+        return "flight" if "flight" in kinds else "static" if "static" in kinds else "dynamic"
 
 
-class Stopper(Section):
-    """The bar that stops the swinging leg: a band of `height` around a point below the knee centre."""
-
-    below_knee_centre: Length
-    height: Length
-    stiffness: Annotated[Stiffness | None, Field(description="Of the cover; rigid when missing.")] = None
-
-
-class Hanger(Section):
-    """What the leg hangs from in the inverse test."""
-
-    at: End
-    offset: Annotated[
-        Length | None, Field(description="From the end out to the pin; at the end itself when missing.")
-    ] = None
-    hold: Annotated[Literal["pinned", "free"], Field(description="What it does during the impact.")] = (
-        "pinned"
+if TYPE_CHECKING:
+    Rig = RigBase
+else:
+    _FIELDS: dict[str, Any] = {kind.field_name(): (kind | None, None) for kind in FIXTURES}
+    Rig = create_model(
+        "Rig",
+        __base__=RigBase,
+        __doc__="All fixtures that certkit knows; a procedure names those it needs.",
+        __module__=__name__,
+        **_FIELDS,
     )
-
-
-class Ram(Section):
-    """A moving mass with a honeycomb face that is crushed at constant pressure."""
-
-    mass: Mass
-    speed: Speed
-    crush_strength: Pressure
-    height: Length
-    depth: Length
-    top_edge: Annotated[Length, Field(description="Height of its upper edge above the knee centre.")]
-    width_on_knee: Annotated[Length, Field(description="Contact width where it meets the knee.")]
-    width_on_bones: Annotated[Length, Field(description="Contact width where it meets a bone.")]
-    elastic_depth: Annotated[
-        Length | None,
-        Field(description="Depth at which the honeycomb reaches its crush strength; 1 mm when missing."),
-    ] = None
-
-
-class Supports(Section):
-    """Two rollers that stay where they are in space while the specimen slides over them."""
-
-    span: Length
-
-
-class LoadingRam(Section):
-    """A ram that presses at mid-span in a staircase of force levels, each held until all is at rest."""
-
-    force: Annotated[Force, Field(description="Highest level.")]
-    levels: Annotated[int, Field(ge=1, le=1000)] = 20
-
-
-class FreeFlight(Section):
-    """The leg flies against the vehicle."""
-
-    speed: Speed
-    end_above_ground: Annotated[Length, Field(description="Height of the tibia end above the ground.")]
-    angle: Angle
-
-
-class Rig(Section):
-    """All fixtures that certkit knows; a procedure names those it needs."""
-
-    hinge: Hinge | None = None
-    added_mass: AddedMass | None = None
-    release: Release | None = None
-    stopper: Stopper | None = None
-    hanger: Hanger | None = None
-    ram: Ram | None = None
-    supports: Supports | None = None
-    loading_ram: LoadingRam | None = None
-    free_flight: FreeFlight | None = None

@@ -109,7 +109,7 @@ def channels_of(criterion: Criterion) -> list[str]:
 def _window(procedure: Procedure, recording: Recording) -> EvaluationWindow:
     """Return what is evaluated: static tests whole, others from contact until the procedure's end."""
     until = procedure.run.until
-    static = procedure.rig.loading_ram is not None
+    static = procedure.test_kind == "static"
     start = float(recording.time[0]) if static and recording.time.size else 0.0
     end = float(recording.time[-1]) if recording.time.size else 0.0
     return EvaluationWindow(start, end if static or until is None else min(end, float(until)))

@@ -3,25 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from certkit.errors import RunError
-from certkit.mechanics.fixtures.added_mass import with_added_mass
-from certkit.mechanics.fixtures.hinge_and_hanger import fit_hanger, fit_hinge
-from certkit.mechanics.fixtures.honeycomb_ram import fit_ram
-from certkit.mechanics.fixtures.release import fit_release
-from certkit.mechanics.fixtures.rig_assembly import Site
-from certkit.mechanics.fixtures.stopper import fit_stopper
-from certkit.mechanics.fixtures.three_point_bending import DRAG, HOLD, RAMP, fit_loading_ram, fit_supports
-from certkit.mechanics.fixtures.vehicle_front import fit_front
+from certkit.mechanics.fixtures.fixture_model import model_of
+from certkit.mechanics.fixtures.rig_assembly import RigAssembly
 from certkit.mechanics.legform.leg import add_leg
 from certkit.mechanics.legform.segments import leg_segments
 from certkit.mechanics.legform.stable_step import stable_step
-from certkit.mechanics.outputs.energy_balance import RunQuality, judge
-from certkit.mechanics.outputs.front_response import FrontHistories, front_histories, front_probes
-from certkit.mechanics.outputs.motion import RecordedMotion, film
+from certkit.mechanics.outputs.energy_balance import RunQuality, energy_histories, run_quality
+from certkit.mechanics.outputs.front_response import front_response
+from certkit.mechanics.outputs.motion import recorded_motion
 from certkit.mechanics.outputs.recorded_channels import channels, probes
 from certkit.mechanics.solver.pymunk_space import ITERATIONS
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
@@ -29,28 +24,21 @@ from certkit.mechanics.solver.world import Assembly
 from certkit.signals import Recording
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Mapping, Sequence
 
     from certkit.definitions.legform import Legform
     from certkit.definitions.procedure import Procedure
     from certkit.definitions.vehicle import Vehicle
+    from certkit.documents.result import Front, Histories, Motion
+    from certkit.mechanics.legform.segments import Segment
+    from certkit.mechanics.records import Floats
 
 STEP = 2e-5
 """s: step halving changes no peak by more than 0.1 % at it."""
 UNTIL = 0.2
 """s after contact, where a procedure names no end."""
 FRAME = 1e-3
-
-FITTINGS: tuple[tuple[str, Callable[[Site, Any], None]], ...] = (
-    ("hinge", fit_hinge),
-    ("hanger", fit_hanger),
-    ("release", fit_release),
-    ("stopper", fit_stopper),
-    ("ram", fit_ram),
-    ("supports", fit_supports),
-    ("loading_ram", fit_loading_ram),
-)
-"""What builds each fixture of a `certkit.definitions.rig.Rig`, in the order in which they are built."""
+"""s between two frames of the motion."""
 
 
 @dataclass(frozen=True)
@@ -61,42 +49,55 @@ class Simulation:
     ----------
     recording : Recording
         Channels from first contact; of a static test one sample a load level.
-    motion : Motion
-    quality : Quality
+    quality : RunQuality
     solver_seconds : float
         Of the time loop.
-    front : FrontHistories, optional
-        What the vehicle's front did, where one was hit.
+    rig, run, readings, samples_a_frame
+        What the documents' parts below are made of, when they are asked for.
     """
 
     recording: Recording
-    motion: RecordedMotion
     quality: RunQuality
     solver_seconds: float
-    front: FrontHistories | None = None
+    rig: RigAssembly
+    run: Trajectory
+    readings: Mapping[str, Floats]
+    samples_a_frame: int
+
+    @cached_property
+    def motion(self) -> Motion:
+        """Return the motion of leg and rig."""
+        at = np.arange(len(self.run.frame_time), dtype=np.int64) * self.samples_a_frame
+        return recorded_motion(self.rig, self.run, self.readings, at)
+
+    @cached_property
+    def energies(self) -> Histories | None:
+        """Return the energies over time; None for static tests, whose clock means nothing."""
+        return energy_histories(self.quality, self.recording)
+
+    @cached_property
+    def front(self) -> Front | None:
+        """Return what the vehicle's front did, None where none was hit."""
+        return front_response(self.rig, self.run, self.readings)
 
 
-def build(procedure: Procedure, legform: Legform, vehicle: Vehicle | None = None) -> Site:
-    """Put the legform on the procedure's rig; `site.assembly.finish()` is the world to run."""
-    rig, specimen = procedure.rig, procedure.specimen
-    static = rig.loading_ram is not None
-    segments = leg_segments(legform, specimen.part)
-    if rig.added_mass is not None:
-        segments = with_added_mass(segments, rig.added_mass)
+def build(procedure: Procedure, legform: Legform, vehicle: Vehicle | None = None) -> RigAssembly:
+    """Put the legform on the procedure's rig; `rig.assembly.finish()` is the world to run."""
+    specimen = procedure.specimen
+    models = [model_of(fixture) for fixture in procedure.rig.fixtures()]
+    segments: Sequence[Segment] = leg_segments(legform, specimen.part)
+    for model in models:
+        segments = model.change_segments(segments)
     flesh = specimen.flesh == "fitted"
     assembly = Assembly()
-    leg = add_leg(assembly, legform, segments, flesh=flesh, damping=DRAG if static else 0.0)
-    site = Site(assembly, legform, rig, leg, cover=float(legform.flesh.thickness) if flesh else 0.0)
-    for name, fit in FITTINGS:
-        fixture = getattr(rig, name)
-        if fixture is not None:
-            fit(site, fixture)
-    if rig.free_flight is not None:
-        if vehicle is None:
-            raise RunError("free flight hits a vehicle; name one in the procedure")
-        fit_front(site, vehicle, rig.free_flight)
-    site.draw_outline()
-    return site
+    damping = max((model.mass_damping for model in models), default=0.0)
+    leg = add_leg(assembly, legform, segments, flesh=flesh, damping=damping)
+    cover = float(legform.flesh.thickness) if flesh else 0.0
+    rig = RigAssembly(assembly, legform, procedure.rig, leg, cover, vehicle)
+    for model in models:
+        model.build(rig)
+    rig.add_outline()
+    return rig
 
 
 def simulate(
@@ -132,47 +133,54 @@ def simulate(
     """
     iterations = iterations or ITERATIONS
     try:
-        site = build(procedure, legform, vehicle)
+        rig = build(procedure, legform, vehicle)
     except (ArithmeticError, np.linalg.LinAlgError) as error:
         raise RunError(
             "the rig cannot be built: a length, stiffness or other value is zero where it cannot be; "
             "look at the values changed last"
         ) from error
-    step = time_step or _time_step(procedure, site)
-    world = site.assembly.finish()
-    wanted = {**probes(world, site.leg, site), **front_probes(world, site)}
-    plan = _plan(procedure, site, step, iterations, sample)
-    tracked = (*(site.leg.blocks if site.leg.knee_row >= 0 else ()), *site.front.values())
+    step = time_step or _time_step(procedure, rig)
+    world = rig.assembly.finish()
+    wanted = probes(world, rig.leg, rig)
+    plan = _plan(procedure, rig, step, iterations, sample)
+    groups = () if rig.front is None else rig.front.groups.values()
+    tracked = (*(rig.leg.blocks if rig.leg.knee_row >= 0 else ()), *groups)
     run = run_world(world, plan, list(wanted.values()), tracked)
     readings = {name: run.readings[:, i] for i, name in enumerate(wanted)}
-    every = plan.frame // plan.sample
-    motion = film(site, site.leg, run, readings, np.arange(len(run.frame_time), dtype=np.int64) * every)
-    quality = judge(run, step, iterations)
     recording = Recording(
         kind="simulated",
         time=run.time,
-        channels=channels(site, site.leg, run, readings),
+        channels=channels(rig, rig.leg, run, readings),
         source=procedure.procedure,
     )
-    front = front_histories(site, run, readings)
-    return Simulation(_from_contact(recording, run), motion, quality, run.seconds, front)
+    return Simulation(
+        recording=_from_contact(recording, run),
+        quality=run_quality(run, step, iterations),
+        solver_seconds=run.seconds,
+        rig=rig,
+        run=run,
+        readings=readings,
+        samples_a_frame=plan.frame // plan.sample,
+    )
 
 
-def _time_step(procedure: Procedure, site: Site) -> float:
+def _time_step(procedure: Procedure, rig: RigAssembly) -> float:
     if procedure.run.time_step is not None:
         return float(procedure.run.time_step)
-    return stable_step(STEP, site.legform, site.leg.segments, flesh=site.cover > 0)
+    return stable_step(STEP, rig.legform, rig.leg.segments, flesh=rig.cover > 0)
 
 
-def _plan(procedure: Procedure, site: Site, step: float, iterations: int, sample: int | None) -> Plan:
-    ram = site.rig.loading_ram
-    if ram is not None:
-        level = round((RAMP + HOLD) / step)
-        return Plan(step, ram.levels * level * step, 0.0, level, level, None, iterations)
+def _plan(procedure: Procedure, rig: RigAssembly, step: float, iterations: int, sample: int | None) -> Plan:
+    """Plan one sample a load level, or from first contact to the procedure's end."""
+    if rig.load_levels > 0:
+        level = round(rig.level_duration / step)
+        return Plan(step, rig.load_levels * level * step, 0.0, level, level, None, iterations)
+    if rig.longest_approach > 0 and rig.contact_law is None:
+        raise RunError("the legform moves, but nothing is there for it to hit; add a fixture that it hits")
     until = float(procedure.run.until or UNTIL)
     sample = sample or max(1, round(2 * STEP / step))
     frame = max(1, round(FRAME / (step * sample))) * sample
-    return Plan(step, until, site.longest + until, sample, frame, site.trigger, iterations)
+    return Plan(step, until, rig.longest_approach + until, sample, frame, rig.contact_law, iterations)
 
 
 def _from_contact(recording: Recording, run: Trajectory) -> Recording:

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from certkit.definitions.procedure import Procedure
-    from certkit.definitions.rig import Rig
     from certkit.signals.recording import Channel, Recording
 
 UNIFORM = 0.01
@@ -63,7 +62,7 @@ def condition(recording: Recording, procedure: Procedure, *, lenient: bool = Fal
     recording : Recording
         As read or as simulated.
     procedure : Procedure
-        Its rig says which steps apply.
+        Its rig's fixtures say which steps apply.
     lenient : bool
         See `Situation`.
 
@@ -77,18 +76,16 @@ def condition(recording: Recording, procedure: Procedure, *, lenient: bool = Fal
     DataError
         When the time axis is not uniform, a channel is clipped or its polarity is swapped.
     """
-    rig = procedure.rig
-    flight = rig.free_flight is not None
-    certified = rig.ram is not None or _is_pendulum(rig)
-    situation = Situation(flight or certified, flight, certified, lenient)
+    situation = Situation(
+        dynamic=procedure.test_kind != "static",
+        free_flight=procedure.test_kind == "flight",
+        signs_known=any(fixture.signs_known for fixture in procedure.rig.fixtures()),
+        lenient=lenient,
+    )
     if recording.kind == "measured":
         for step in MEASURED_STEPS:
             recording = step(recording, situation)
     return noise_noted(recording, situation)
-
-
-def _is_pendulum(rig: Rig) -> bool:
-    return rig.release is not None
 
 
 def uniform(recording: Recording, situation: Situation) -> Recording:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.base import words
 from certkit.definitions.channels import CHANNELS, channel_kind
+from certkit.definitions.fixtures import FIXTURES
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.field_types import fields
 from certkit.definitions.loading.search_path import is_name
@@ -19,25 +20,12 @@ from certkit.definitions.units import parse_quantity
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from certkit.definitions.fixtures.fixture import Fixture
     from certkit.definitions.loading.faults import Steps
     from certkit.definitions.loading.yaml_reader import Tree
     from certkit.errors import Problem
 
 Finding = tuple["Steps", str]
-
-# A fixture and those that cannot be on the same rig.
-_APART = {
-    "hinge": ("hanger", "supports", "free flight"),
-    "hanger": ("supports", "free flight", "release", "stopper"),
-    "release": ("supports", "free flight", "ram"),
-    "stopper": ("supports", "free flight", "ram"),
-    "ram": ("supports", "free flight", "hinge"),
-    "added mass": ("supports", "free flight"),
-    "supports": ("free flight",),
-    "loading ram": ("free flight", "ram"),
-}
-# A fixture and the one that it does nothing without.
-_NEEDS = {"release": "hinge", "stopper": "hinge", "supports": "loading ram", "loading ram": "supports"}
 
 _LIGAMENTS = ("MCL", "LCL", "ACL", "PCL")
 
@@ -110,27 +98,48 @@ def _fixtures(data: dict[str, Any]) -> Iterator[Finding]:
     rig = [words(name) for name, fixture in given.items() if fixture is not None and name != "origin"]
     if not rig:
         yield ("rig",), "holds no fixture; name at least one, such as `hinge` or `supports`"
-    for name in rig:
-        for other in _APART.get(name, ()):
+    fixtures = [kind for kind in FIXTURES if kind.name() in rig]
+    for kind in fixtures:
+        for other in kind.excludes:
             if other in rig:
-                yield ("rig", other), f"`{name}` and `{other}` cannot be on the same rig; keep one"
-        needed = _NEEDS.get(name)
-        if needed is not None and needed not in rig:
-            yield ("rig", name), f"`{name}` does nothing without `{needed}`; add it"
-    yield from _specimen(data, rig)
+                yield ("rig", other), f"`{kind.name()}` and `{other}` cannot be on the same rig; keep one"
+        for needed in kind.needs:
+            if needed not in rig:
+                yield ("rig", kind.name()), f"`{kind.name()}` does nothing without `{needed}`; add it"
+    yield from _specimen(data, fixtures)
+    yield from _conditions(data, fixtures)
 
 
-def _specimen(data: dict[str, Any], rig: list[str]) -> Iterator[Finding]:
+def _specimen(data: dict[str, Any], fixtures: list[type[Fixture]]) -> Iterator[Finding]:
     specimen = data.get("specimen")
     part = specimen.get("part", "leg") if isinstance(specimen, dict) else "leg"
-    if "supports" in rig and part == "leg":
-        yield ("rig", "supports"), "a whole leg does not lie on supports; set `part` of the specimen"
-    if "supports" not in rig and part in {"femur", "tibia", "knee"}:
-        yield ("specimen", "part"), f"a {part} alone needs `supports` and a `loading ram` on the rig"
-    if "free flight" in rig and data.get("vehicle") is None:
-        yield ("rig", "free flight"), "`free flight` hits a vehicle; name it with `vehicle`"
-    if "free flight" not in rig and data.get("vehicle") is not None:
-        yield ("vehicle",), "a vehicle is hit in `free flight` only; add that, or leave the vehicle out"
+    taking = [kind for kind in fixtures if kind.takes_part]
+    if part == "leg" and taking:
+        yield (
+            ("rig", taking[0].name()),
+            f"`{taking[0].name()}` takes no whole leg; set `part` of the specimen",
+        )
+    if isinstance(part, str) and part != "leg" and not taking:
+        needed = " and ".join(f"`{kind.name()}`" for kind in FIXTURES if kind.takes_part)
+        yield ("specimen", "part"), f"a {part} alone needs {needed} on the rig"
+    hitting = [kind.name() for kind in FIXTURES if kind.hits_vehicle]
+    hits = [kind for kind in fixtures if kind.hits_vehicle]
+    if hits and data.get("vehicle") is None:
+        yield ("rig", hits[0].name()), f"`{hits[0].name()}` hits a vehicle; name it with `vehicle`"
+    if not hits and data.get("vehicle") is not None:
+        named = " or ".join(f"`{name}`" for name in hitting)
+        yield ("vehicle",), f"a vehicle is hit in {named} only; add that, or leave the vehicle out"
+
+
+def _conditions(data: dict[str, Any], fixtures: list[type[Fixture]]) -> Iterator[Finding]:
+    """Refuse preconditions on a fixture that is not there: no test could ever meet them."""
+    given = data.get("preconditions")
+    for index, asked in enumerate(given if isinstance(given, list) else ()):
+        quantity = asked.get("quantity") if isinstance(asked, dict) else None
+        owners = [kind for kind in FIXTURES if quantity in kind.conditions]
+        if owners and not any(kind in fixtures for kind in owners):
+            named = " or ".join(f"`{kind.name()}`" for kind in owners)
+            yield ("preconditions", index), f"`{quantity}` is a condition of {named}, which is not on the rig"
 
 
 def _names(data: dict[str, Any]) -> Iterator[Finding]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.documents.result import Histories, Series
 from certkit.mechanics.force_laws import ENERGY_ACCOUNTS
 
 if TYPE_CHECKING:
@@ -14,6 +15,10 @@ if TYPE_CHECKING:
 
     from certkit.mechanics.records import Floats
     from certkit.mechanics.solver.time_loop import Trajectory
+    from certkit.signals import Recording
+
+MOST_POINTS_OF_ENERGY = 300
+"""Points that a drawing of energies needs."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +39,7 @@ class RunQuality:
     iterations : int
         Of pymunk's constraint solver.
     energies : mapping of str to ndarray, shape (samples,)
-        `kinetic`, and what each law stored and spent, J: `joint springs stored`, `joint springs spent`, …
+        `kinetic`, and what each law stored and dissipated, J: `joint spring stored`, …
     imbalance : ndarray, shape (samples,)
         J.
     """
@@ -49,20 +54,20 @@ class RunQuality:
     imbalance: Floats
 
 
-def judge(run: Trajectory, time_step: float, iterations: int) -> RunQuality:
+def run_quality(run: Trajectory, time_step: float, iterations: int) -> RunQuality:
     """Return the quality figures of a run."""
     stored = run.stored - run.stored[0]
-    spent = run.dissipated - run.dissipated[0]
-    total = run.kinetic + stored.sum(axis=1) + spent.sum(axis=1)
+    dissipated = run.dissipated - run.dissipated[0]
+    total = run.kinetic + stored.sum(axis=1) + dissipated.sum(axis=1)
     imbalance = total - total[0]
-    # What was turned over: all books that took, or all that gave, whichever is larger.
-    books = np.concatenate([run.kinetic[:, None] - run.kinetic[0], stored, spent], axis=1)
-    turned = max(float(np.clip(books, 0, None).sum(axis=1).max()), float(run.kinetic[0]))
+    # What was turned over: all accounts that took, or the kinetic energy brought in, whichever is larger.
+    accounts = np.concatenate([run.kinetic[:, None] - run.kinetic[0], stored, dissipated], axis=1)
+    turned = max(float(np.clip(accounts, 0, None).sum(axis=1).max()), float(run.kinetic[0]))
     energies = {"kinetic": run.kinetic}
-    for b, name in enumerate(ENERGY_ACCOUNTS):
-        for kind, book in (("stored", stored[:, b]), ("spent", spent[:, b])):
-            if np.any(book):
-                energies[f"{name} {kind}"] = book
+    for a, name in enumerate(ENERGY_ACCOUNTS):
+        for kind, account in (("stored", stored[:, a]), ("dissipated", dissipated[:, a])):
+            if np.any(account):
+                energies[f"{name} {kind}"] = account
     return RunQuality(
         energy_error_percent=100 * float(np.abs(imbalance).max()) / turned if turned > 0 else 0.0,
         joint_gap_mm=1e3 * run.joint_gap,
@@ -72,4 +77,22 @@ def judge(run: Trajectory, time_step: float, iterations: int) -> RunQuality:
         iterations=iterations,
         energies=energies,
         imbalance=imbalance,
+    )
+
+
+def energy_histories(quality: RunQuality, recording: Recording) -> Histories | None:
+    """Return the energies over time, thinned out; None for static tests, whose clock means nothing."""
+    count, samples = len(quality.imbalance), len(recording.time)
+    if samples < 2 or count < MOST_POINTS_OF_ENERGY:
+        return None
+    every = -(-count // MOST_POINTS_OF_ENERGY)
+    return Histories(
+        # Energies begin at the start of the run, which may lie before first contact.
+        start=-recording.interval * (count - samples),
+        interval=recording.interval * every,
+        count=len(range(0, count, every)),
+        series={
+            name: Series(title=name, unit="J", values=values[::every].tolist())
+            for name, values in quality.energies.items()
+        },
     )

@@ -2,72 +2,77 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.mechanics.force_laws.vehicle_front_contact import VehicleFrontContact
-from certkit.mechanics.force_laws.vehicle_spring import VehicleSpring
+from certkit.documents.result import CurveInPlane, Front, Histories, Series
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.mechanics.fixtures.rig_assembly import Site
+    from certkit.mechanics.fixtures.rig_assembly import RigAssembly
     from certkit.mechanics.records import Floats
     from certkit.mechanics.solver.time_loop import Trajectory
-    from certkit.mechanics.solver.world import World
+
+MOST_POINTS_OF_FRONT = 300
+"""Points that a drawing of a history needs."""
 
 
-@dataclass(frozen=True)
-class FrontHistories:
-    """Histories of a vehicle's front over the recording's time axis, SI.
+def front_response(rig: RigAssembly, run: Trajectory, readings: Mapping[str, Floats]) -> Front | None:
+    """Return the front's histories from first contact on, thinned out; None where no vehicle was hit.
 
-    Parameters
-    ----------
-    time : ndarray, shape (n,)
-        Seconds after first contact.
-    contact : mapping of str to ndarray
-        Force of the leg on each group's face, N.
-    displacement : mapping of str to ndarray
-        Of each group along x, m.
-    springs : mapping of str to (ndarray, ndarray)
-        Shortening (m) and force (N) of each spring, by its name.
+    What a face received from the leg is ∫F dx over the movement of its group, what a spring absorbed ∫F dx
+    over its shortening, both over all samples.
     """
-
-    time: Floats
-    contact: Mapping[str, Floats]
-    displacement: Mapping[str, Floats]
-    springs: Mapping[str, tuple[Floats, Floats]]
-
-
-def front_probes(world: World, site: Site) -> dict[str, int]:
-    """Return what to record of a front, by a name of its own: where each reading stands in the state pool."""
-    places = {f"strip {k}": world.place(VehicleFrontContact, k, "force") for k in range(len(site.strips))}
-    for k in range(len(site.springs)):
-        places[f"spring {k} shortening"] = world.place(VehicleSpring, k, "shortening")
-        places[f"spring {k} force"] = world.place(VehicleSpring, k, "force")
-    return places
-
-
-def front_histories(site: Site, run: Trajectory, readings: Mapping[str, Floats]) -> FrontHistories | None:
-    """Gather the front's histories from first contact on; None where there is no front."""
-    if not site.front:
+    if rig.front is None:
         return None
     first = int(np.searchsorted(run.time, run.contact - 1e-12))
+    time = run.time[first:] - run.time[first]
+    every = max(1, -(-len(time) // MOST_POINTS_OF_FRONT))
     contact: dict[str, Floats] = {}
-    for k, strip in enumerate(site.strips):
-        force = readings[f"strip {k}"][first:]
+    for k, strip in enumerate(rig.front.strips):
+        force = readings[f"strip {k} force"][first:]
         for name, share in ((strip.lower, 1 - strip.share), (strip.upper, strip.share)):
             if share > 0:
                 contact[name] = contact.get(name, 0.0) + share * force
-    offset = run.tracks.shape[1] - len(site.front)
+    touched = {name: force for name, force in contact.items() if force.max() > 0}
+    offset = run.tracks.shape[1] - len(rig.front.groups)
     displacement = {
         name: run.tracks[first:, offset + k, 0] - run.tracks[0, offset + k, 0]
-        for k, name in enumerate(site.front)
+        for k, name in enumerate(rig.front.groups)
     }
     springs = {
-        name: (readings[f"spring {k} shortening"][first:], readings[f"spring {k} force"][first:])
-        for k, name in enumerate(site.springs)
+        name: (readings[f"spring {name} shortening"][first:], readings[f"spring {name} force"][first:])
+        for name in rig.front.springs
+        if np.any(readings[f"spring {name} force"][first:])
     }
-    return FrontHistories(run.time[first:] - run.time[first], contact, displacement, springs)
+
+    def histories(values: Mapping[str, Floats], unit: str, scale: float) -> Histories:
+        return Histories(
+            start=0.0,
+            interval=float(time[1] - time[0]) * every,
+            count=len(range(0, len(time), every)),
+            series={
+                name: Series(title=name, unit=unit, values=(scale * v[::every]).tolist())
+                for name, v in values.items()
+            },
+        )
+
+    return Front(
+        contact=histories(touched, "N", 1.0),
+        displacement=histories(displacement, "mm", 1e3),
+        springs={name: _curve(x[::every], force[::every]) for name, (x, force) in springs.items()},
+        received={name: float(np.trapezoid(force, displacement[name])) for name, force in touched.items()},
+        absorbed={name: float(np.trapezoid(force, x)) for name, (x, force) in springs.items()},
+    )
+
+
+def _curve(shortening: Floats, force: Floats) -> CurveInPlane:
+    return CurveInPlane(
+        x_title="shortening",
+        x_unit="mm",
+        y_title="force",
+        y_unit="N",
+        points=list(zip((1e3 * shortening).tolist(), force.tolist(), strict=True)),
+    )

@@ -1,75 +1,32 @@
-"""What the moving picture needs: outlines, their poses frame by frame, and what stands still."""
+"""The motion of a run for the moving drawing: outlines, their poses frame by frame, and what stands still."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.mechanics.fixtures.rig_assembly import Outline, Site, box
+from certkit.documents.result import Motion, Shape
+from certkit.mechanics.fixtures.rig_assembly import box
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.mechanics.legform.leg import Leg
+    from certkit.mechanics.fixtures.rig_assembly import RigAssembly
     from certkit.mechanics.records import Floats, Integers
     from certkit.mechanics.solver.time_loop import Trajectory
 
-Kind = Literal["bone", "knee", "flesh", "rig", "ram", "vehicle", "mass"]
 
+def recorded_motion(
+    rig: RigAssembly, run: Trajectory, readings: Mapping[str, Floats], at: Integers
+) -> Motion:
+    """Return the motion document of a run; `at` are the sample numbers of the frames.
 
-@dataclass(frozen=True)
-class Figure:
-    """Something drawn: a closed polygon, in its body's axes or, where it stands still, in the world's.
-
-    Parameters
-    ----------
-    name : str
-    kind : str
-        A `certkit.documents.result.Shape` kind.
-    outline : tuple of (x, z)
-        Metres.
+    A segment of a bone is coloured by the bending moment in its middle, the mean of its two joints'; at a
+    free end the moment is zero.
     """
-
-    name: str
-    kind: Kind
-    outline: Outline
-
-
-@dataclass(frozen=True)
-class RecordedMotion:
-    """The test as a moving picture.
-
-    Parameters
-    ----------
-    times : ndarray, shape (f,)
-        Seconds after first contact.
-    figures : tuple of Figure
-        What moves.
-    poses : ndarray, shape (f, figures, 3)
-        x, z, angle of each.
-    joints : tuple of str
-        Names of the figures that `moments` colours: the bone segments.
-    moments : ndarray, shape (f, joints)
-        Bending moment in the middle of each, N·m.
-    scene : tuple of Figure
-        What never moves.
-    """
-
-    times: Floats
-    figures: tuple[Figure, ...]
-    poses: Floats
-    joints: tuple[str, ...]
-    moments: Floats
-    scene: tuple[Figure, ...]
-
-
-def film(
-    site: Site, leg: Leg, run: Trajectory, readings: Mapping[str, Floats], at: Integers
-) -> RecordedMotion:
-    """Cut the frames of a run into a moving picture; `at` are the sample numbers of the frames."""
-    figures: list[Figure] = []
+    leg = rig.leg
+    shapes: list[Shape] = []
     bodies: list[int] = []
     names: list[str] = []
     counts: dict[str, int] = {}
@@ -77,9 +34,9 @@ def film(
     for i, (segment, body) in enumerate(zip(leg.segments, leg.bodies, strict=True)):
         counts[segment.part] = counts.get(segment.part, 0) + 1
         half = segment.depth / 2
-        shape = box(-half, half, segment.bottom - segment.centre, segment.top - segment.centre)
+        outline = box(-half, half, segment.bottom - segment.centre, segment.top - segment.centre)
         name = f"{segment.part} {counts[segment.part]}"
-        figures.append(Figure(name, "knee" if segment.part == "knee" else "bone", shape))
+        shapes.append(Shape(name=name, kind="knee" if segment.part == "knee" else "bone", outline=outline))
         bodies.append(body)
         if segment.part != "knee":
             names.append(name)
@@ -92,21 +49,21 @@ def film(
             moments.append(np.asarray(sum(beside) / 2 if free_end else sum(beside) / len(beside)))
     for body, segment in zip(leg.flesh, leg.segments, strict=False):
         half = segment.depth / 2
-        shape = box(half, half + site.cover, -segment.length / 2, segment.length / 2)
-        figures.append(Figure(f"flesh {len(figures)}", "flesh", shape))
+        outline = box(half, half + rig.cover, -segment.length / 2, segment.length / 2)
+        shapes.append(Shape(name=f"flesh {len(shapes)}", kind="flesh", outline=outline))
         bodies.append(body)
-    for body, (name, shape) in site.figures.items():
-        figures.append(Figure(name, "vehicle" if name in site.front else "ram", shape))
-        bodies.append(body)
+    shapes += rig.moving_shapes.values()
+    bodies += rig.moving_shapes
     poses = run.frames[:, bodies, :].copy()
-    # Flesh is a point mass; it is drawn leaning with its bone.
+    # Flesh is a point mass; it is drawn tilted with its bone.
     for k in range(len(leg.flesh)):
         poses[:, len(leg.segments) + k, 2] = poses[:, k, 2]
-    return RecordedMotion(
-        times=run.frame_time - run.contact,
-        figures=tuple(figures),
-        poses=poses,
-        joints=tuple(names),
-        moments=np.stack(moments, axis=1) if moments else np.zeros((len(run.frame_time), 0)),
-        scene=tuple(Figure(name, "rig", shape) for name, shape in site.scene),
+    coloured = np.stack(moments, axis=1) if moments else np.zeros((len(run.frame_time), 0))
+    return Motion(
+        times=(run.frame_time - run.contact).tolist(),
+        shapes=shapes,
+        poses=poses.tolist(),
+        joints=names,
+        moments=coloured.tolist(),
+        scene=rig.fixed_shapes,
     )

@@ -8,18 +8,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.mechanics.fixtures.three_point_bending import middle
+from certkit.mechanics.fixtures.fixture_model import model_of
 from certkit.mechanics.force_laws.joint_spring import JointSpring
 from certkit.mechanics.force_laws.ligament_cable import LigamentCable
-from certkit.mechanics.force_laws.loading_ram_force import LoadingRamForce
-from certkit.mechanics.force_laws.support_roller import SupportRoller
 from certkit.signals import CHANNELS, Channel
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from certkit.definitions.legform import Gauges
-    from certkit.mechanics.fixtures.rig_assembly import Site
+    from certkit.mechanics.fixtures.rig_assembly import RigAssembly
     from certkit.mechanics.legform.leg import Leg
     from certkit.mechanics.records import Floats
     from certkit.mechanics.solver.time_loop import Trajectory
@@ -33,19 +31,13 @@ def stations(gauges: Gauges) -> dict[str, float]:
     return {**{k: float(v) for k, v in above.items()}, **{k: -float(v) for k, v in below.items()}}
 
 
-def probes(world: World, leg: Leg, site: Site) -> dict[str, int]:
-    """Return what to record, by a name of its own: where each reading stands in the state pool."""
+def probes(world: World, leg: Leg, rig: RigAssembly) -> dict[str, int]:
+    """Return what to record, by a name of its own: where each state stands in the world's tables."""
     places = {f"joint {joint.row}": world.place(JointSpring, joint.row, "moment") for joint in leg.joints}
     places |= {name: world.place(LigamentCable, row, "elongation") for name, row in leg.ligaments.items()}
     if leg.knee_row >= 0:
         places["knee bend"] = world.place(JointSpring, leg.knee_row, "angle")
-    if site.rig.loading_ram is not None:
-        places |= {
-            "ram force": world.place(LoadingRamForce, 0, "force"),
-            "ram travel": world.place(LoadingRamForce, 0, "travel"),
-        }
-    if site.rig.supports is not None:
-        places |= {f"support {i}": world.place(SupportRoller, i, "depth") for i in range(2)}
+    places |= {name: world.place(*where) for name, where in rig.recorded.items()}
     return places
 
 
@@ -64,25 +56,31 @@ def moment_at(leg: Leg, readings: Mapping[str, Floats], height: float, part: str
     raise ValueError(f"height {height} m is not on the {part}")
 
 
-def channels(site: Site, leg: Leg, run: Trajectory, readings: Mapping[str, Floats]) -> dict[str, Channel]:
-    """Return all channels the run has something to say about."""
+def channels(
+    rig: RigAssembly, leg: Leg, run: Trajectory, readings: Mapping[str, Floats]
+) -> dict[str, Channel]:
+    """Return all channels of the run: gauges, ligaments, knee, and what the fixtures add."""
     values: dict[str, Floats] = {}
     parts = {segment.part for segment in leg.segments}
     if parts == {"femur", "knee", "tibia"}:
-        for name, height in stations(site.legform.gauges).items():
+        for name, height in stations(rig.legform.gauges).items():
             values[name] = moment_at(leg, readings, height, "femur" if height > 0 else "tibia")
     values |= {name: readings[name] for name in leg.ligaments}
     if leg.knee_row >= 0:
         values["knee bend"] = readings["knee bend"]
         values["knee shear"] = _shear(leg, run)
-        if site.rig.loading_ram is None:
+        if rig.rig.test_kind != "static":
             values["knee acceleration"] = run.accelerations[:, 1, 0]
-    if site.rig.loading_ram is not None:
-        values |= _bending(site, leg, readings)
-    else:
+    if rig.contact_law is not None:
         values["contact force"] = run.contact_force
-        if site.assembly.hinge >= 0:
-            values["hinge force"] = run.hinge_force
+    if rig.assembly.hinge >= 0:
+        values["hinge force"] = run.hinge_force
+
+    def bone_moment(height: float, part: str) -> Floats:
+        return moment_at(leg, readings, height, part)
+
+    for fixture in rig.rig.fixtures():
+        values |= model_of(fixture).channels(rig, readings, bone_moment)
     return {
         name: Channel(name, CHANNELS[name].title, CHANNELS[name].dimension, series)
         for name, series in values.items()
@@ -100,23 +98,3 @@ def _shear(leg: Leg, run: Trajectory) -> Floats:
         knee.append((x, z))
     dx, dz = knee[1][0] - knee[0][0], knee[1][1] - knee[0][1]
     return np.asarray(np.cos(lower[:, 2]) * dx + np.sin(lower[:, 2]) * dz)
-
-
-def _bending(site: Site, leg: Leg, readings: Mapping[str, Floats]) -> dict[str, Floats]:
-    force, travel = readings["ram force"], readings["ram travel"]
-    sunk = (readings["support 0"] + readings["support 1"]) / 2
-    values = {"ram force": force, "ram travel": travel, "mid deflection": travel - sunk}
-    supports = site.rig.supports
-    if leg.joints:
-        centre = middle(site)
-        joint = min(leg.joints, key=lambda j: abs(j.height - centre))
-        if math.isclose(joint.height, centre, abs_tol=1e-9):
-            values["mid moment"] = readings[f"joint {joint.row}"]
-        else:
-            # The load stands in the middle of a segment: from the joints at its ends to the peak between
-            # them.
-            half = leg.segments[0].length / 2
-            values["mid moment"] = moment_at(leg, readings, centre, joint.part) + force / 2 * half
-    elif supports is not None:
-        values["mid moment"] = force / 2 * float(supports.span) / 2
-    return values

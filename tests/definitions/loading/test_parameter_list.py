@@ -6,10 +6,11 @@ import pickle
 
 import pytest
 
+from certkit.definitions.fixtures.hinge import Hinge
+from certkit.definitions.fixtures.ram import Ram
 from certkit.definitions.loading.library import load
 from certkit.definitions.loading.parameter_list import ListedParameter, parameters
 from certkit.definitions.provenance import Number, Origin
-from certkit.definitions.rig import Hinge, Ram
 
 
 def test_a_number_is_an_ordinary_float_with_words():
