@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Document
+from certkit.definitions.loading.faults import Fault, Faults
+from certkit.definitions.procedure import Curve, Filter
 
 
 class Prior(Document):
@@ -46,16 +48,65 @@ class Target(Document):
 
     procedure: str
     to: Annotated[
-        Literal["corridors", "reference"],
+        Literal["corridors", "reference", "recording"],
         Field(
-            description="Mid-points of the corridors, in half-widths, or the procedure's reference values."
+            description="Mid-points of the corridors, in half-widths, the procedure's reference values, or "
+            "curves of a recording."
         ),
     ] = "corridors"
     criteria: Annotated[
         list[str] | None, Field(description="Ids; all that are graded, or all in the reference, if missing.")
     ] = None
-    tolerance: Annotated[str, Field(description="Deviation from a reference value that counts as 1.")] = "5 %"
+    tolerance: Annotated[
+        str,
+        Field(
+            description="Deviation that counts as 1: from a reference value, of rms or peak in per cent of "
+            "the recorded peak, or of an ISO/TS 18571 score from one."
+        ),
+    ] = "5 %"
     weight: Annotated[float, Field(gt=0)] = 1.0
+    recording: Annotated[
+        str | None,
+        Field(description="Measured or computed: CSV, ISO-MME or a result, beside the fit's file."),
+    ] = None
+    mapping: Annotated[str | None, Field(description="How to read it, beside the fit's file.")] = None
+    channels: Annotated[
+        list[str] | None, Field(min_length=1, description="Curves over time: channels of the recording.")
+    ] = None
+    curve: Annotated[Curve | None, Field(description="One curve of a channel over another instead.")] = None
+    measure: Annotated[
+        Literal["rms", "peak", "ISO/TS 18571"],
+        Field(description="What should become small: rms or peak deviation, or what the score lacks to one."),
+    ] = "rms"
+    filter: Annotated[Filter, Field(description="Of recorded and simulated curves.")] = "none"
+    contact: Annotated[str, Field(description="Time of first contact in the recording.")] = "0 ms"
+    window: Annotated[
+        list[str] | None,
+        Field(min_length=2, max_length=2, description="What counts: after contact, or of the curve's x."),
+    ] = None
+    points: Annotated[
+        int, Field(ge=5, le=1000, description="Places in the window at which the search sees a curve.")
+    ] = 40
+
+    @model_validator(mode="after")
+    def _aims_at_one_thing(self) -> Self:
+        recorded = self.to == "recording"
+        faults: list[Fault] = []
+        if recorded and self.recording is None:
+            faults.append((("to",), "the file is missing; name it with `recording`"))
+        if recorded and (self.channels is None) == (self.curve is None):
+            faults.append((("to",), "name either `channels` (over time) or a `curve`"))
+        if self.curve is not None and self.measure == "ISO/TS 18571":
+            faults.append((("measure",), "ISO/TS 18571 rates curves over time; take `rms` for this curve"))
+        if not recorded and self.recording is not None:
+            faults.append((("recording",), "it is not looked at; write `to: recording`"))
+        if recorded and self.criteria is not None:
+            faults.append(
+                (("criteria",), "a recording is aimed at by `channels` or a `curve`, not by criteria")
+            )
+        if faults:
+            raise Faults(faults)
+        return self
 
 
 class Search(Document):

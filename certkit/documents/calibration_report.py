@@ -26,6 +26,32 @@ class FittedValue(Part):
     distance_after: Figure
 
 
+class Following(Part):
+    """How well a simulated curve follows a recorded one inside the window; none where the run failed."""
+
+    rms_percent: Annotated[
+        Figure | None, Field(description="Root mean square of the difference, of the recorded peak.")
+    ] = None
+    peak: Figure | None = None
+    peak_error_percent: Figure | None = None
+    time_error_ms: Annotated[
+        Figure | None, Field(description="How much later than recorded the peak comes; curves over time only.")
+    ] = None
+    score: Annotated[Figure | None, Field(description="ISO/TS 18571, where a target asks for it.")] = None
+
+
+class FollowedCurve(Part):
+    """A recorded curve that the fit aimed at, and the simulated one before and after it."""
+
+    name: Annotated[str, Field(description="`PROCEDURE/CHANNEL over time`, or over another channel.")]
+    unit: str
+    window: tuple[Figure, Figure]
+    window_unit: str
+    recorded_peak: Figure
+    before: Following
+    after: Following
+
+
 class FittedParameter(Part):
     """A parameter that was free, in its unit."""
 
@@ -71,6 +97,7 @@ class CalibrationReport(OutputDocument):
     rms_after: Figure
     passes: Annotated[bool, Field(description="Whether every graded criterion passes.")]
     values: list[FittedValue]
+    curves: list[FollowedCurve] = []
     parameters: list[FittedParameter]
     correlations: list[StrongCorrelation]
     open_directions: list[OpenDirection]

@@ -49,6 +49,9 @@ def optimum_text(document: OptimumReport) -> str:
     return "\n".join([f"{head} ({document.runs} runs); {tight}", *settings])
 
 
+CURVE_HEADS = ("curve", "rms % before", "after", "peak", "after", "unit", "error %", "late by ms")
+
+
 def calibration_text(document: CalibrationReport) -> str:
     """Return the values before and after, and how well the parameters are known."""
     heads = ("value", "should be", "before", "after", "unit", "distance")
@@ -58,8 +61,22 @@ def calibration_text(document: CalibrationReport) -> str:
     ]
     before, after = document.rms_before, document.rms_after
     distances = f"rms distance {before:.3f} before, {after:.3f} after ({document.runs} runs)"
+    curves = [
+        (
+            curve.name,
+            _figure(curve.before.rms_percent, ".1f"),
+            _figure(curve.after.rms_percent, ".1f"),
+            _figure(curve.recorded_peak),
+            _figure(curve.after.peak),
+            curve.unit,
+            _figure(curve.after.peak_error_percent, "+.1f"),
+            _figure(curve.after.time_error_ms, "+.1f"),
+        )
+        for curve in document.curves
+    ]
     lines = [
-        aligned(heads, rows, right=(1, 2, 3, 5)),
+        *([aligned(heads, rows, right=(1, 2, 3, 5))] if rows else []),
+        *([aligned(CURVE_HEADS, curves, right=(1, 2, 3, 4, 6, 7))] if curves else []),
         distances,
         "every graded criterion passes" if document.passes else "not every graded criterion passes",
     ]
@@ -69,5 +86,5 @@ def calibration_text(document: CalibrationReport) -> str:
     return "\n".join(lines)
 
 
-def _figure(value: FigureOrWord | None) -> str:
-    return f"{value:.4g}" if isinstance(value, float) else "–"
+def _figure(value: FigureOrWord | None, form: str = ".4g") -> str:
+    return format(value, form) if isinstance(value, float) else "–"

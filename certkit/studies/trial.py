@@ -13,12 +13,14 @@ import certkit
 from certkit.bench.setup import PACKAGES, Setup, prepare
 from certkit.definitions.channels import channel_kind
 from certkit.grading import grade_criteria, grade_quality, measure_all, overall
+from certkit.signals import Filtered
 from certkit.studies.quantity import written
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from certkit.studies.points import Outputs, Point
+    from certkit.studies.recorded_curve import RecordedCurve
 
 DECISIVE = ("definitions", "signals", "mechanics", "grading")
 """Rooms whose code can change a number: part of what a run is remembered by."""
@@ -43,6 +45,8 @@ class Trial:
         Overrides for every run.
     library : tuple of str
         Folders with own definitions.
+    curves : tuple of RecordedCurve
+        What the simulated curves are held against; see its `outputs`.
     """
 
     procedures: tuple[str, ...]
@@ -50,6 +54,7 @@ class Trial:
     tied: Mapping[str, tuple[tuple[str, float], ...]] = field(default_factory=dict)
     fixed: Mapping[str, str] = field(default_factory=dict)
     library: tuple[str, ...] = ()
+    curves: tuple[RecordedCurve, ...] = ()
 
     def __call__(self, point: Point) -> Outputs:
         """Run all procedures with the point's settings."""
@@ -65,6 +70,10 @@ class Trial:
                 outputs[f"{name}/{criterion.id}"] = criterion.value
                 if criterion.graded:
                     outputs[f"{name}/{criterion.id} margin"] = criterion.margin
+            filtered = Filtered(simulation.recording)
+            for curve in self.curves:
+                if curve.procedure == name:
+                    outputs |= curve.outputs(filtered)
             outputs[f"{name}/verdict"] = overall(criteria, quality=quality)
             outputs[f"{name}/energy error %"] = quality.energy_error_percent
             outputs[f"{name}/joint gap mm"] = quality.joint_gap_mm
@@ -102,6 +111,7 @@ class Trial:
                 *(f"{path}={value}" for path, value in self.fixed.items()),
                 *map(str, sorted(self.units.items())),
                 str(sorted(self.tied.items())),
+                sha256(repr(self.curves).encode()).hexdigest(),
                 programs(),
             ]
         )

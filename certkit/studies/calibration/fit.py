@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,8 +13,9 @@ from certkit.definitions.loading.library import load
 from certkit.errors import RunError
 from certkit.studies.calibration.identifiability import Knowledge, knowledge
 from certkit.studies.calibration.parameter_space import Space, space_of
+from certkit.studies.calibration.recorded_targets import recorded_curves, recorded_goals
 from certkit.studies.calibration.search import Misfit, downhill, everywhere
-from certkit.studies.calibration.targets import Goal, goals_of
+from certkit.studies.calibration.targets import Goal, distances, goals_of
 from certkit.studies.runs import Runs
 from certkit.studies.trial import Trial
 
@@ -68,12 +69,18 @@ class Calibration:
 
     def rms(self, outcome: Outcome) -> float:
         """Return the root mean square distance of all goals, in what counts as one."""
-        distances = [goal.distance(outcome.outputs.get(goal.name)) for goal in self.task.goals]
-        return float(np.sqrt(np.mean(np.square(distances))))
+        return float(np.sqrt(np.mean(np.square(distances(self.task.goals, outcome)))))
 
 
 def make_ready(document: CalibrationTask | str | Path, library: Sequence[Path] = ()) -> Task:
     """Load everything a fit needs and check that it fits together.
+
+    Parameters
+    ----------
+    document : CalibrationTask, str or Path
+        A fit that is named by its file finds definitions, recordings and mappings beside it.
+    library : sequence of Path
+        Folders with own definitions, searched first.
 
     Raises
     ------
@@ -85,6 +92,9 @@ def make_ready(document: CalibrationTask | str | Path, library: Sequence[Path] =
     )
     if not isinstance(sheet, CalibrationTask):
         raise TypeError("not a fit document")
+    folder = Path() if isinstance(document, CalibrationTask) else Path(document).parent
+    if folder != Path():
+        library = (*library, folder)
     procedures = tuple(dict.fromkeys(target.procedure for target in sheet.targets))
     trial = Trial(
         procedures,
@@ -97,17 +107,15 @@ def make_ready(document: CalibrationTask | str | Path, library: Sequence[Path] =
         library=tuple(str(Path(folder)) for folder in library),
     )
     space = space_of(sheet.parameters, trial.nominals())
-    trial = Trial(
-        trial.procedures,
-        {axis.name: axis.unit for axis in space.axes},
-        trial.tied,
-        trial.fixed,
-        trial.library,
-    )
+    curves = recorded_curves([target for target in sheet.targets if target.to == "recording"], folder)
+    trial = replace(trial, units={axis.name: axis.unit for axis in space.axes}, curves=tuple(curves.values()))
     start = space.point(space.start)
-    goals = [
-        goal for target in sheet.targets for goal in goals_of(target, trial.prepared(target.procedure, start))
-    ]
+    goals: list[Goal] = []
+    for target in sheet.targets:
+        if target.to == "recording":
+            goals += recorded_goals(target, curves)
+        else:
+            goals += goals_of(target, trial.prepared(target.procedure, start))
     return Task(sheet, trial, space, tuple(goals))
 
 

@@ -15,6 +15,8 @@ from certkit.documents.calibration_report import (
     CalibrationReport,
     FittedParameter,
     FittedValue,
+    FollowedCurve,
+    Following,
     StrongCorrelation,
 )
 from certkit.files import write_whole
@@ -29,6 +31,8 @@ if TYPE_CHECKING:
 
     from certkit.definitions.loading.overrides import Overrides
     from certkit.studies.calibration.fit import Calibration
+    from certkit.studies.points import Outcome
+    from certkit.studies.recorded_curve import RecordedCurve
 
 LEG = "legform."
 NUMBER = {"value", "source", "confidence"}
@@ -119,7 +123,9 @@ def report(calibration: Calibration) -> CalibrationReport:
                 distance_after=goal.distance(after.get(goal.name)),
             )
             for goal in task.goals
+            if not goal.curve
         ],
+        curves=[_followed(calibration, curve) for curve in task.trial.curves],
         parameters=[
             FittedParameter(
                 name=axis.name,
@@ -150,6 +156,34 @@ def _document(calibration: Calibration, kind: str, name: str, overrides: Overrid
     data = _sourced(tree.data, {"source": _source(calibration), "confidence": "calibrated"})
     head = f"# Written by `certkit calibrate` from {found.label} and the fit {calibration.task.sheet.fit}.\n"
     return head + _yaml(data)
+
+
+def _followed(calibration: Calibration, curve: RecordedCurve) -> FollowedCurve:
+    """Say how well the simulated curve followed the recorded one, before and after the fit."""
+    scale = curve.dimension.scale
+    return FollowedCurve(
+        name=curve.name,
+        unit=curve.dimension.unit,
+        window=(curve.start * curve.across.scale, curve.end * curve.across.scale),
+        window_unit=curve.across.unit,
+        recorded_peak=curve.peak * scale,
+        before=_following(calibration.before, curve),
+        after=_following(calibration.after, curve),
+    )
+
+
+def _following(outcome: Outcome, curve: RecordedCurve) -> Following:
+    def figure(word: str) -> float | None:
+        value = outcome.outputs.get(f"{curve.name} {word}")
+        return value if isinstance(value, float) else None
+
+    return Following(
+        rms_percent=figure("rms %"),
+        peak=figure("peak"),
+        peak_error_percent=figure("peak error %"),
+        time_error_ms=figure("time error ms"),
+        score=figure("score"),
+    )
 
 
 def _folder(path: str) -> Path:

@@ -131,4 +131,5 @@ def downhill(misfit: Misfit, shares: NDArray[np.float64], steps: int, tell: Tell
 
 
 def _words(squares: float, misfit: Misfit) -> str:
-    return f"{np.sqrt(squares / len(misfit.goals)):.3f} rms of what counts as one"
+    aims = len({goal.curve or goal.name for goal in misfit.goals})
+    return f"{np.sqrt(squares / aims):.3f} rms of what counts as one"

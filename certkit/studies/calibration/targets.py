@@ -49,6 +49,8 @@ class Goal:
         Multiplies the distance.
     graded : bool
         Whether a corridor decides on it.
+    curve : str
+        Name of the recorded curve that it is a place of; empty for a value of its own.
     """
 
     name: str
@@ -57,10 +59,19 @@ class Goal:
     unit: str
     weight: float
     graded: bool
+    curve: str = ""
 
     def distance(self, value: float | str | None) -> float:
         """Return the distance without its weight; far for a value that is missing."""
         return (value - self.aim) / self.scale if isinstance(value, float) else FAILED
+
+
+def distances(goals: Sequence[Goal], outcome: Outcome) -> NDArray[np.float64]:
+    """Return the distance of each value, and of each curve as the root mean square over its places."""
+    groups: dict[str, list[float]] = {}
+    for goal in goals:
+        groups.setdefault(goal.curve or goal.name, []).append(goal.distance(outcome.outputs.get(goal.name)))
+    return np.array([np.sqrt(np.mean(np.square(group))) for group in groups.values()])
 
 
 def goals_of(target: Target, setup: Setup) -> list[Goal]:
