@@ -35,7 +35,8 @@ class Following(Part):
     peak: Figure | None = None
     peak_error_percent: Figure | None = None
     time_error_ms: Annotated[
-        Figure | None, Field(description="How much later than recorded the peak comes; curves over time only.")
+        Figure | None,
+        Field(description="How much later than recorded the peak comes; curves over time only."),
     ] = None
     score: Annotated[Figure | None, Field(description="ISO/TS 18571, where a target asks for it.")] = None
 
@@ -97,7 +98,7 @@ class CalibrationReport(OutputDocument):
     rms_after: Figure
     passes: Annotated[bool, Field(description="Whether every graded criterion passes.")]
     values: list[FittedValue]
-    curves: list[FollowedCurve] = []
+    curves: Annotated[list[FollowedCurve], Field(default_factory=list)]
     parameters: list[FittedParameter]
     correlations: list[StrongCorrelation]
     open_directions: list[OpenDirection]

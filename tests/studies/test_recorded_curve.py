@@ -13,6 +13,7 @@ from certkit.definitions.channels import CHANNELS
 from certkit.definitions.loading.library import load
 from certkit.errors import DataError, UsageError
 from certkit.mechanics import simulate
+from certkit.reporting.study_text import calibration_text
 from certkit.signals import Channel, Filtered, Recording
 from certkit.studies.calibration.fit import make_ready
 from certkit.studies.calibration.run_calibration import carry_and_write
@@ -149,7 +150,8 @@ def test_a_fit_to_histories_finds_the_stiffness_they_were_made_with(
     leg_recording: Callable[[str], Path], tmp_path: Path, measure: str
 ) -> None:
     folder = leg_recording("190 N·m²")
-    _, _, summary = carry_and_write(make_ready(fit_to(folder, measure=measure)), tmp_path, processes=1)
+    _, document = carry_and_write(make_ready(fit_to(folder, measure=measure)), tmp_path, processes=1)
+    summary = calibration_text(document)
     leg = load("legform", tmp_path / "flex-pli-gtr.yaml").document
     assert leg.femur.bending_stiffness == pytest.approx(190, rel=5e-3)
     report = json.loads((tmp_path / "fit.json").read_text())
