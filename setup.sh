@@ -37,6 +37,7 @@ if [ "$(uname -s)" = Linux ]; then
   if [ "$what" = tests ]; then
     has_program chromium || has_program chromium-browser || packages="$packages chromium"
     has_program pdftotext || packages="$packages poppler-utils"
+    has_library libatomic.so.1 || packages="$packages libatomic1" # the browser's driver needs it
   fi
 fi
 packages=${packages# }

@@ -22,10 +22,14 @@ def browser() -> Iterator[Browser]:
     playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
     if not CHROMIUM.exists():
         pytest.skip(f"{CHROMIUM} is not installed")
-    with playwright.sync_playwright() as running:
-        chromium = running.chromium.launch(executable_path=str(CHROMIUM), args=["--no-sandbox"])
-        yield chromium
-        chromium.close()
+    try:
+        running = playwright.sync_playwright().start()
+    except Exception as error:  # noqa: BLE001  # the driver's own words for a missing library
+        pytest.skip(f"Playwright's driver does not start ({error}); it needs the system's libatomic1")
+    chromium = running.chromium.launch(executable_path=str(CHROMIUM), args=["--no-sandbox"])
+    yield chromium
+    chromium.close()
+    running.stop()
 
 
 @pytest.fixture(scope="session")
