@@ -11,7 +11,7 @@ import numpy as np
 from clock import Row, processor_seconds
 
 import certkit
-from certkit.exchange.csv_write import write_csv
+from certkit.exchange.channels_csv import write_csv
 from certkit.exchange.mme_write import write_mme
 from certkit.signals import CHANNELS, Channel, Recording
 

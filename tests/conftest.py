@@ -11,7 +11,7 @@ import pytest
 from support.command import Command
 from support.pendulum_recording import pendulum_like
 
-from certkit.exchange.csv_write import write_csv
+from certkit.exchange.channels_csv import write_csv
 from certkit.exchange.mme_write import write_mme
 from certkit.signals import Recording
 

@@ -10,7 +10,7 @@ from certkit.bench.sources import load_source
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.validation import read_document
 from certkit.errors import UsageError
-from certkit.exchange.csv_write import write_csv
+from certkit.exchange.channels_csv import write_csv
 from certkit.exchange.mme_write import write_mme
 from certkit.reporting.language import worded_reasons
 

@@ -12,10 +12,7 @@ from certkit.bench.setup import Setup, prepare
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
-from certkit.documents.channel_curves import recording_of
-from certkit.documents.result import InputFile, Result
-from certkit.errors import DataError
-from certkit.exchange.measured import MeasuredData, SourceFile
+from certkit.documents.result import InputFile
 from certkit.exchange.read import read_recording
 from certkit.grading import NO_LABORATORY, evaluate, measure_all
 from certkit.reasons import Reason
@@ -24,6 +21,7 @@ from certkit.reporting.language import worded
 if TYPE_CHECKING:
     from certkit.definitions.loading.library import Library
     from certkit.definitions.loading.overrides import Overrides
+    from certkit.documents.result import Result
 
 # The model plays no part where the leg was a real one.
 _OF_THE_MODEL = ("legform", "vehicle")
@@ -70,8 +68,7 @@ def grade(
     own, mapping_input = _mapping(None if mapping is None else Path(mapping))
     if (data / "result.json").is_file():
         data = data / "channels.csv"  # the folder of a run
-    read = _of_a_run(data) if mapping is None else None
-    read = read or read_recording(data, own, lenient=lenient)
+    read = read_recording(data, own, lenient=lenient)
     lab = read_laboratory(laboratory) if laboratory else NO_LABORATORY
     conditions = merged_conditions(read.recording.conditions, lab.conditions)
     files = (
@@ -104,29 +101,6 @@ def _mapping(path: Path | None) -> tuple[Mapping | None, list[InputFile]]:
     mapping = validate(read_tree(data, str(path)), Mapping)
     digest = hashlib.sha256(data).hexdigest()
     return mapping, [InputFile(role="mapping", path=path.name, sha256=digest, text=data.decode("utf-8-sig"))]
-
-
-def _of_a_run(path: Path) -> MeasuredData | None:
-    """Read certkit's own `channels.csv` by the `result.json` that it was written beside.
-
-    The table alone does not say whether its test was simulated, nor what the conditions were; the document
-    does. None for any other file, and for a table that was changed since.
-    """
-    document = path.parent / "result.json"
-    if path.name != "channels.csv" or not document.is_file():
-        return None
-    from certkit.exchange.channels_csv import channels_csv  # noqa: PLC0415  # only for this one comparison
-
-    try:
-        result = Result.read(document)
-        table = channels_csv(result)
-    except DataError:
-        return None
-    content = path.read_bytes()
-    if table is None or table.encode() != content:
-        return None
-    source = SourceFile(path.name, hashlib.sha256(content).hexdigest())
-    return MeasuredData(recording_of(result, path.name), (source,))
 
 
 def _shown(data: Path, name: str) -> str:

@@ -1,41 +1,202 @@
-"""Channels as a table for machines: time in seconds, one column a channel with its unit in the head."""
+"""certkit's own CSV of channels: the one writer of it, and the reading of its head.
+
+```
+# kind: simulated
+# procedure: pendulum
+# result: 3F9A-1C07-8B2E-44D1
+# release angle: 0.261799388 rad
+# filter T1: CFC 180
+time [s],T1 [N·m],MCL [mm]
+0,0,0
+```
+
+The lines with `#` say what the file is: kind of test, procedure, the id of its result, conditions in SI, and
+the filter that a channel has already seen. Below stand the time in seconds and one column a channel, its unit
+in the head; a missing value is an empty cell. No cell of the head begins a formula where a spreadsheet opens
+it: such a name is written behind an apostrophe, as spreadsheets do themselves.
+"""
 
 from __future__ import annotations
 
-import math
-from typing import TYPE_CHECKING
+import csv
+import io
+import re
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, get_args
 
+import numpy as np
+
+from certkit.definitions.channel_mapping import Column, Filter, TimeColumn
+from certkit.definitions.channels import CHANNELS
+from certkit.definitions.units import UNITS
+from certkit.documents.channel_curves import recording_of
 from certkit.documents.rounding import SIGNIFICANT_DIGITS
+from certkit.errors import DataError
+from certkit.exchange.codes import CodeTable, code_table
+from certkit.exchange.conditions import read_condition
+from certkit.files import write_whole
+from certkit.signals.recording import Kind
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
     from certkit.documents.result import Result
+    from certkit.exchange.csv_table import CsvTable
+    from certkit.exchange.measured import Leniency
+    from certkit.signals.recording import Recording
+
+KINDS: tuple[Kind, ...] = get_args(Kind)
+FILTERS: tuple[Filter, ...] = get_args(Filter)
+
+DIGITS = 9
+"""Significant digits of a recording; a result's channels have those of its document."""
+
+_HEAD = re.compile(r"(.+?)\s*[\[(]([^\])]*)[\])]")
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+
+
+@dataclass(frozen=True)
+class CsvHead:
+    """What is known of a table before its numbers are read.
+
+    Parameters
+    ----------
+    kind : {'simulated', 'measured'}
+    time : TimeColumn
+    columns : dict of str to Column
+        By channel.
+    conditions : dict of str to float
+        SI.
+    notes : tuple of str
+        What was assumed because the head does not say it.
+    """
+
+    kind: Kind
+    time: TimeColumn
+    columns: dict[str, Column]
+    conditions: dict[str, float] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
 
 def channels_csv(result: Result) -> str | None:
-    """Return `channels.csv`, or None where the document carries no raw channels.
-
-    Values keep the digits of the result document, lines end with a line feed, a missing value
-    is an empty cell.
-    """
-    histories = result.channels
-    if histories is None:
+    """Return the channels of a result as CSV, with the digits of its document; None where it carries none."""
+    if result.channels is None:
         return None
-    names = list(histories.series)
-    head = ["time [s]", *(f"{name} [{histories.series[name].unit}]" for name in names)]
-    lines = [",".join(_quoted(cell) for cell in head)]
-    columns = [histories.series[name].values for name in names]
-    form = f".{SIGNIFICANT_DIGITS}g"
-    for index in range(histories.count):
-        time = round(histories.start + index * histories.interval, 9)
-        cells = [format(time, ".9g")]
-        cells += [_number(column[index], form) if index < len(column) else "" for column in columns]
-        lines.append(",".join(cells))
-    return "\n".join(lines) + "\n"
+    recording = recording_of(result)
+    return csv_text(recording, procedure=result.procedure, result_id=result.id, digits=SIGNIFICANT_DIGITS)
 
 
-def _number(value: float, form: str) -> str:
-    return format(value, form) if math.isfinite(value) else ""
+def csv_text(recording: Recording, *, procedure: str = "", result_id: str = "", digits: int = DIGITS) -> str:
+    """Return a recording as CSV; `read_csv` reads it without a mapping file.
+
+    Parameters
+    ----------
+    recording : Recording
+    procedure : str
+        By which it was made or graded; left out when empty.
+    result_id : str
+        The id of the result whose channels they are, likewise.
+    digits : int
+        Significant digits of the values; the time always has nine.
+    """
+    remarks = [("kind", recording.kind), ("procedure", procedure), ("result", result_id)]
+    remarks += _conditions(recording)
+    channels = list(recording.channels.values())
+    remarks += [(f"filter {channel.name}", channel.filtered) for channel in channels]
+    head = "".join(f"# {_plain(word)}: {_plain(said)}\n" for word, said in remarks if said)
+    names = io.StringIO()
+    cells = ["time [s]", *(_safe(f"{each.name} [{each.dimension.unit}]") for each in channels)]
+    csv.writer(names, lineterminator="\n").writerow(cells)
+    # Steps are added up from the first sample: without rounding, zero would be 1e-18.
+    columns = [np.round(recording.time, 12), *(each.values * each.dimension.scale for each in channels)]
+    form = ",".join(["%.9g", *[f"%.{digits}g"] * len(channels)]) + "\n"
+    rows = "".join([form % tuple(row) for row in np.column_stack(columns).tolist()])
+    return (
+        head + names.getvalue() + (re.sub(r"(?<![^,\n])nan(?![^,\n])", "", rows) if "nan" in rows else rows)
+    )
 
 
-def _quoted(cell: str) -> str:
-    return '"' + cell.replace('"', '""') + '"' if any(sign in cell for sign in ',"\n') else cell
+def write_csv(recording: Recording, path: Path) -> None:
+    """Write a recording as CSV; see `csv_text`."""
+    write_whole(path, csv_text(recording))
+
+
+def read_head(table: CsvTable, leniency: Leniency) -> CsvHead:
+    """Understand the head of certkit's own CSV: `#` lines, then heads such as `time [s]` and `T1 [N·m]`.
+
+    Raises
+    ------
+    DataError
+        When a head has no unit, a column is missing or stands twice, or a `#` line says what cannot be.
+    """
+    place = table.head_place
+    time, columns, unused = None, {}, []
+    for number, head in enumerate(table.heads, 1):
+        match = _HEAD.fullmatch(head.removeprefix("'"))
+        if match is None:
+            hint = "certkit's own heads look like `T1 [N·m]`; other files need --mapping"
+            raise DataError(f"{place}: the column head `{head[:60]}` has no unit; {hint}")
+        name, unit = match.group(1).strip(), match.group(2).strip()
+        if name == "time":
+            time = TimeColumn(column=number, unit=unit)
+        elif name not in CHANNELS:
+            unused.append(name)
+        elif name in columns:
+            raise DataError(f"{place}: the column `{name}` stands twice")
+        else:
+            columns[name] = Column(column=number, unit=unit, filter=_filter(table, name))
+    if time is None:
+        raise DataError(f"{place}: no column `time [s]`")
+    if not columns:
+        raise DataError(f"{place}: no channel of a Flex-PLI among the heads; other files need --mapping")
+    if unused:
+        leniency.depart(place, f"unknown channel `{unused[0][:60]}`", "the column is not needed")
+    said, line = table.remarks.get("kind", ("", 0))
+    if said and said not in KINDS:
+        raise DataError(f"{table.place}:{line}: the kind `{said[:40]}` is not one of {', '.join(KINDS)}")
+    notes = () if said else (f"{table.place} does not say whether it was simulated; taken as measured.",)
+    kind: Kind = "simulated" if said == "simulated" else "measured"
+    return CsvHead(kind, time, columns, _read_conditions(table, code_table()), notes)
+
+
+def _conditions(recording: Recording) -> Iterator[tuple[str, str]]:
+    table = code_table()
+    for word, value in sorted(recording.conditions.items()):
+        if word in table.conditions:
+            units = UNITS[table.conditions[word].dimension]
+            unit = next(unit for unit, scale in units.items() if scale == 1.0)
+            yield word, f"{value:.9g} {unit}".rstrip()
+
+
+def _read_conditions(table: CsvTable, codes: CodeTable) -> dict[str, float]:
+    found = {}
+    for word, (text, line) in table.remarks.items():
+        if word in codes.conditions:
+            try:
+                found[word] = read_condition(word, text, codes)
+            except ValueError as error:
+                raise DataError(f"{table.place}:{line}: {word}: {error}") from error
+    return found
+
+
+def _filter(table: CsvTable, name: str) -> Filter:
+    """Return the filter that a remark `# filter T1: CFC 180` names."""
+    text, line = table.remarks.get(f"filter {name}", ("none", 0))
+    known = next((word for word in FILTERS if word == text), None)
+    if known is None:
+        raise DataError(
+            f"{table.place}:{line}: no filter is called `{text[:40]}`; there are {', '.join(FILTERS)}"
+        )
+    return known
+
+
+def _plain(text: str) -> str:
+    """Keep a remark in one line and one cell, whatever separates cells where it is opened."""
+    return re.sub(r"[\s,;]+", " ", text).strip()
+
+
+def _safe(head: str) -> str:
+    """Put an apostrophe before a head that would be taken for a formula, and keep it in one line."""
+    head = re.sub(r"[\r\n\t]+", " ", head)
+    return f"'{head}" if head.lstrip().startswith(_FORMULA) else head

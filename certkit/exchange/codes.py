@@ -5,11 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
+from types import MappingProxyType
 
 from certkit.definitions.channel_mapping import Condition, Mapping, MmeTable
 from certkit.definitions.loading.validation import validate
 from certkit.definitions.loading.yaml_reader import read_tree
-from certkit.exchange.filters import LETTER_OF_FILTER
+
+FILTER_OF_LETTER = MappingProxyType(
+    {"0": "", "P": "", "Q": "", "A": "CFC 1000", "B": "CFC 600", "C": "CFC 180", "D": "CFC 60"}
+)
+"""Filter that the last letter of a code stands for."""
+
+LETTER_OF_FILTER = MappingProxyType({"": "0", "CFC 1000": "A", "CFC 600": "B", "CFC 180": "C", "CFC 60": "D"})
+"""And back; any other filter is written as `S`."""
 
 
 @dataclass(frozen=True)

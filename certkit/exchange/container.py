@@ -13,16 +13,20 @@ from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
-from certkit.exchange.limits import (
-    MAX_COMPRESSION,
-    MAX_CONTAINER_BYTES,
-    MAX_FILE_BYTES,
-    MAX_MEMBERS,
-    MEGABYTE,
-)
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+# Upper bounds on what is read: far above any real test, far below what could exhaust a machine.
+MEGABYTE = 1_000_000
+MAX_FILE_BYTES = 256 * MEGABYTE
+MAX_CONTAINER_BYTES = 1_000 * MEGABYTE
+MAX_MEMBERS = 5_000
+MAX_COMPRESSION = 200  # text of samples packs about 3 to 20 times; zip bombs pack a thousand times
+MAX_HEADER_LINES = 500
+MAX_LINE = 4_000
+MAX_CHANNELS = 500
+MAX_SAMPLES = 5_000_000
 
 # What the standard library raises on damaged archives, beside `BadZipFile`.
 _DAMAGED = (

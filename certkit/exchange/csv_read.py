@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import hashlib
-import re
 from types import MappingProxyType
-from typing import TYPE_CHECKING, get_args
+from typing import TYPE_CHECKING
 
-from certkit.definitions.channel_mapping import Column, Filter, Mapping, TimeColumn
 from certkit.definitions.channels import CHANNELS
 from certkit.definitions.units import parse_quantity
 from certkit.errors import DataError
-from certkit.exchange.codes import CodeTable, code_table
-from certkit.exchange.conditions import mapped_conditions, read_condition
+from certkit.exchange.channels_csv import CsvHead, read_head
+from certkit.exchange.codes import code_table
+from certkit.exchange.conditions import mapped_conditions
 from certkit.exchange.container import read_bounded
 from certkit.exchange.csv_table import CsvTable, cut
 from certkit.exchange.data_units import factor, quantity, table_dimension
@@ -21,7 +20,7 @@ from certkit.exchange.samples import read_samples, read_with_gaps
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import TimeBase, base_of_times
 from certkit.signals.clipping import find_clipping
-from certkit.signals.recording import Channel, Kind, Recording
+from certkit.signals.recording import Channel, Recording
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -29,9 +28,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-FILTERS: tuple[Filter, ...] = get_args(Filter)
-
-_HEAD = re.compile(r"(.+?)\s*[\[(]([^\])]*)[\])]")
+    from certkit.definitions.channel_mapping import Column, CsvLayout, Mapping, TimeColumn
 
 
 def read_csv(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> MeasuredData:
@@ -58,59 +55,26 @@ def read_csv(path: Path, mapping: Mapping | None = None, *, lenient: bool = Fals
     text, _ = decode(data, str(path))
     layout = mapping.csv if mapping else None
     table = cut(text, str(path), layout)
-    codes = code_table(mapping)
-    time, columns = (layout.time, dict(layout.columns)) if layout else _own_heads(table, leniency)
+    head = read_head(table, leniency) if layout is None else _mapped_head(layout)
+    time, columns = head.time, head.columns
     wanted = {name: table.column(columns[name].column) for name in CHANNELS if name in columns}
     base, values = _values(table, time, wanted, leniency)
     channels = {name: _channel(table, name, columns[name], values[name]) for name in values}
     recording = Recording(
-        kind=_kind(table),
+        kind=head.kind,
         time=base.times(),
         channels=MappingProxyType(channels),
-        conditions=MappingProxyType(_conditions(table, codes) | mapped_conditions(mapping, codes)),
-        notes=tuple(leniency.assumptions),
+        conditions=MappingProxyType(head.conditions | mapped_conditions(mapping, code_table(mapping))),
+        notes=(*head.notes, *leniency.assumptions),
         source=path.name,
     )
     source = SourceFile(path.name, hashlib.sha256(data).hexdigest())
     return MeasuredData(recording, (source,), tuple(leniency.assumptions))
 
 
-def _own_heads(table: CsvTable, leniency: Leniency) -> tuple[TimeColumn, dict[str, Column]]:
-    """Understand heads such as `time [s]` and `T1 [N·m]`."""
-    place = table.head_place
-    time, columns, unused = None, {}, []
-    for number, head in enumerate(table.heads, 1):
-        match = _HEAD.fullmatch(head)
-        if match is None:
-            hint = "certkit's own heads look like `T1 [N·m]`; other files need --mapping"
-            raise DataError(f"{place}: the column head `{head[:60]}` has no unit; {hint}")
-        name, unit = match.group(1).strip(), match.group(2).strip()
-        if name == "time":
-            time = TimeColumn(column=number, unit=unit)
-        elif name not in CHANNELS:
-            unused.append(name)
-        elif name in columns:
-            raise DataError(f"{place}: the column `{name}` stands twice")
-        else:
-            columns[name] = Column(column=number, unit=unit, filter=_filter(table, name))
-    if time is None:
-        raise DataError(f"{place}: no column `time [s]`")
-    if not columns:
-        raise DataError(f"{place}: no channel of a Flex-PLI among the heads; other files need --mapping")
-    if unused:
-        leniency.depart(place, f"unknown channel `{unused[0][:60]}`", "the column is not needed")
-    return time, columns
-
-
-def _filter(table: CsvTable, name: str) -> Filter:
-    """Return the filter that a remark `# filter T1: CFC 180` names."""
-    text, line = table.remarks.get(f"filter {name}", ("none", 0))
-    known = next((word for word in FILTERS if word == text), None)
-    if known is None:
-        raise DataError(
-            f"{table.place}:{line}: no filter is called `{text[:40]}`; there are {', '.join(FILTERS)}"
-        )
-    return known
+def _mapped_head(layout: CsvLayout) -> CsvHead:
+    """Return what a mapping file says of a laboratory's table."""
+    return CsvHead("measured", layout.time, dict(layout.columns))
 
 
 def _values(
@@ -170,18 +134,3 @@ def _channel(table: CsvTable, name: str, column: Column, values: NDArray[np.floa
         )
     filtered = "" if column.filter == "none" else column.filter
     return Channel(name, kind.title, kind.dimension, values, filtered=filtered)
-
-
-def _kind(table: CsvTable) -> Kind:
-    return "simulated" if table.remarks.get("kind", ("", 0))[0] == "simulated" else "measured"
-
-
-def _conditions(table: CsvTable, codes: CodeTable) -> dict[str, float]:
-    found = {}
-    for word, (text, line) in table.remarks.items():
-        if word in codes.conditions:
-            try:
-                found[word] = read_condition(word, text, codes)
-            except ValueError as error:
-                raise DataError(f"{table.place}:{line}: {word}: {error}") from error
-    return found

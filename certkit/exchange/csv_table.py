@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
-from certkit.exchange.limits import MAX_CHANNELS, MAX_LINE, MAX_SAMPLES
+from certkit.exchange.container import MAX_CHANNELS, MAX_LINE, MAX_SAMPLES
 from certkit.exchange.samples import Lines
 
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from certkit.definitions.channel_mapping import CsvLayout
 
-_REMARK = re.compile(r"#\s*([A-Za-z][A-Za-z0-9 ]*?)\s*:\s*(.+)")
+_REMARK = re.compile(r"#\s*([A-Za-z][^:]*?)\s*:\s*(.+)")
 
 
 @dataclass(frozen=True)

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 from certkit.definitions.channels import CHANNELS, ChannelKind
 from certkit.errors import DataError
+from certkit.exchange.codes import FILTER_OF_LETTER
+from certkit.exchange.container import MAX_SAMPLES
 from certkit.exchange.data_units import factor
-from certkit.exchange.filters import FILTER_OF_LETTER
-from certkit.exchange.limits import MAX_SAMPLES
 from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.samples import Lines, read_samples
 from certkit.exchange.timebase import TimeBase

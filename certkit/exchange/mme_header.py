@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 
 from certkit.errors import DataError
-from certkit.exchange.limits import MAX_HEADER_LINES, MAX_LINE
+from certkit.exchange.container import MAX_HEADER_LINES, MAX_LINE
 
 NOVALUE = "NOVALUE"
 

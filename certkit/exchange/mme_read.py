@@ -18,8 +18,7 @@ from certkit.definitions.channels import CHANNELS
 from certkit.errors import DataError
 from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.conditions import mapped_conditions, mme_conditions
-from certkit.exchange.container import Container, open_container
-from certkit.exchange.limits import MAX_CHANNELS
+from certkit.exchange.container import MAX_CHANNELS, Container, open_container
 from certkit.exchange.measured import Leniency, MeasuredData, SourceFile
 from certkit.exchange.mme_channel import MmeChannel, read_channel
 from certkit.exchange.mme_header import Header, read_header

@@ -14,7 +14,7 @@ from support.damage import DAMAGES
 from support.pendulum_recording import pendulum_like
 
 from certkit.cli import main
-from certkit.exchange.csv_write import write_csv
+from certkit.exchange.channels_csv import write_csv
 from certkit.exchange.mme_write import write_mme
 
 if TYPE_CHECKING:

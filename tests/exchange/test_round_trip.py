@@ -17,9 +17,9 @@ from hypothesis import strategies as st
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.channels import CHANNELS
 from certkit.errors import DataError, UsageError
+from certkit.exchange.channels_csv import csv_text, write_csv
 from certkit.exchange.codes import code_table
 from certkit.exchange.csv_read import read_csv
-from certkit.exchange.csv_write import csv_text, write_csv
 from certkit.exchange.mme_write import write_mme
 from certkit.exchange.read import read_recording
 

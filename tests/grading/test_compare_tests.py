@@ -11,7 +11,7 @@ import pytest
 from certkit.bench.compare import compare
 from certkit.documents.comparison import ComparisonDocument
 from certkit.errors import DataError
-from certkit.exchange.csv_write import write_csv
+from certkit.exchange.channels_csv import write_csv
 from certkit.reporting.comparison_report import comparison_page, comparison_text
 from certkit.signals import CHANNELS, Channel, Recording
 
