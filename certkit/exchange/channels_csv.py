@@ -35,6 +35,7 @@ from certkit.errors import DataError
 from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.conditions import read_condition
 from certkit.files import write_whole
+from certkit.reasons import Reason
 from certkit.signals.recording import Kind
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ class CsvHead:
         By channel.
     conditions : dict of str to float
         SI.
-    notes : tuple of str
+    notes : tuple of Reason
         What was assumed because the head does not say it.
     """
 
@@ -76,7 +77,7 @@ class CsvHead:
     time: TimeColumn
     columns: dict[str, Column]
     conditions: dict[str, float] = field(default_factory=dict)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Reason, ...] = ()
 
 
 def channels_csv(result: Result) -> str | None:
@@ -155,7 +156,7 @@ def read_head(table: CsvTable, leniency: Leniency) -> CsvHead:
     said, line = table.remarks.get("kind", ("", 0))
     if said and said not in KINDS:
         raise DataError(f"{table.place}:{line}: the kind `{said[:40]}` is not one of {', '.join(KINDS)}")
-    notes = () if said else (f"{table.place} does not say whether it was simulated; taken as measured.",)
+    notes = () if said else (Reason.of("kind-not-said", file=table.place),)
     kind: Kind = "simulated" if said == "simulated" else "measured"
     return CsvHead(kind, time, columns, _read_conditions(table, code_table()), notes)
 

@@ -141,6 +141,7 @@ REASONS = MappingProxyType(
         "recorded-twice": "{channel} was recorded twice; {code} is used",
         "data-not-usable": "{channel} is not used: the data of {file} are not usable",
         "codes-not-used": "not used: {codes:list}",
+        "kind-not-said": "{file} does not say whether it was simulated; taken as measured",
         # Error tables and comparisons.
         "not-in-rms": "Not measured, so not in the rms error: {criteria:list}.",
         "published-rounded": (
