@@ -44,7 +44,9 @@ def load_source(
         When it is none of them, or is damaged.
     """
     if isinstance(source, Result):
-        return Source(source.procedure, recording_of(source), source)
+        # With the digits of its file, so that both are compared alike.
+        written = source.as_written()
+        return Source(written.procedure, recording_of(written), written)
     path = Path(source)
     document = path / "result.json" if path.is_dir() else path
     if document.suffix.lower() == ".json" and document.is_file():

@@ -68,3 +68,5 @@ def calibrate(
     if not as_json:
         for path in written:
             typer.echo(f"wrote {path}", err=True)
+        procedure = task.sheet.targets[0].procedure
+        typer.echo(f"try it: certkit run {procedure} --library {folder}", err=True)

@@ -36,6 +36,7 @@ def add(documents: Documents, *, logbook: Folder = DEFAULT) -> None:
         typer.echo(f"{entry.day} {entry.serial} {entry.procedure} {entry.verdict} {entry.id}")
     if known:
         typer.echo(f"{len(known)} already in the logbook", err=True)
+    typer.echo(f"look at it: certkit history show --logbook {logbook}", err=True)
 
 
 @app.command("show")

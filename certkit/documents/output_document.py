@@ -215,7 +215,9 @@ def _outside_of(annotation: Any) -> dict[str, Any]:  # noqa: ANN401  # any type 
     found: dict[str, Any] = {}
     for inner in get_args(annotation):
         found |= _outside_of(inner)
-    return {"__all__": found} if found and get_origin(annotation) in {list, tuple, dict} else found
+    origin = get_origin(annotation)
+    several = isinstance(origin, type) and issubclass(origin, list | tuple | dict)
+    return {"__all__": found} if found and several else found
 
 
 def listed_json(documents: Iterable[OutputDocument]) -> str:

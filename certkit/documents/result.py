@@ -12,6 +12,8 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Field
 
 from certkit.definitions.provenance import Confidence
+from certkit.documents.data_frames import CriteriaFrame, SeriesFrame
+from certkit.documents.list_by_id import ListById
 from certkit.documents.output_document import NOT_IN_ID, OutputDocument, Part
 from certkit.documents.rounding import Figure, Figures, Point, Points, Poses, Rows
 from certkit.reasons import Reason
@@ -179,7 +181,7 @@ class Series(Part):
     filter: str = "none"
 
 
-class Histories(Part):
+class Histories(SeriesFrame, Part):
     """Channels on one uniform time axis."""
 
     start: Figure
@@ -256,7 +258,7 @@ class Front(Part):
     absorbed: Annotated[dict[str, Figure], Field(description="Energy that each connection kept, J.")]
 
 
-class Result(OutputDocument):
+class Result(CriteriaFrame, OutputDocument):
     """The result document."""
 
     noun: ClassVar = "result"
@@ -274,19 +276,15 @@ class Result(OutputDocument):
     specimen: dict[str, str] = {}
     decision_rule: str = "simple acceptance"
     coded_decision_rule: Reason | None = None
-    criteria: list[CriterionResult]
+    criteria: ListById[CriterionResult]
     preconditions: list[PreconditionResult] = []
-    conditions: Annotated[
-        dict[str, Figure], Field(description="Conditions the test was done under, SI, by their words.")
-    ] = {}
+    conditions: Annotated[dict[str, Figure], Field(description="Of the test, SI, by their words.")] = {}
     scores: list[ScoreResult] = []
     comparison: Comparison | None = None
     quality: Quality | None = None
     interval: Annotated[Point | None, Field(description="Assessment interval, s.")] = None
     energies: Annotated[Histories | None, Field(description="Energy over time, by where it went.")] = None
-    curves: Annotated[Histories | None, Field(description="Conditioned channels as drawn, thinned out.")] = (
-        None
-    )
+    curves: Annotated[Histories | None, Field(description="Conditioned channels, thinned out.")] = None
     channels: Annotated[Histories | None, Field(description="Channels as recorded, unfiltered.")] = None
     motion: Motion | None = None
     front: Annotated[Front | None, Field(description="What the vehicle's front did.")] = None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from certkit.documents.list_by_id import ListById
 from certkit.documents.result import Spread
 from certkit.errors import UsageError
 from certkit.reasons import Reason
@@ -45,7 +46,7 @@ def with_spread(results: Sequence[Result]) -> Result:
         spread = _spread(values)
         criteria.append(criterion.model_copy(update={"spread": spread}) if spread is not None else criterion)
     remarks = [*nominal.coded_remarks, _remark(results), *_outside(criteria, results)]
-    return nominal.model_copy(update={"criteria": criteria, "coded_remarks": remarks}).with_id()
+    return nominal.model_copy(update={"criteria": ListById(criteria), "coded_remarks": remarks}).with_id()
 
 
 def _spread(values: Sequence[float]) -> Spread | None:

@@ -1,4 +1,4 @@
-"""What a page shows: the files it gives and the commands it has its reader type, in their order."""
+"""What a page shows: files that it gives, commands to type, and scripts, in their order."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pathlib import Path
 
-BLOCK = re.compile(r"^```(yaml|console)[^\n]*\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+BLOCK = re.compile(r"^```(yaml|console|python)[^\n]*\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 PROGRAMS = ("certkit", "gunzip")
 
 
@@ -40,12 +40,21 @@ class Typed:
     ends_with: int
 
 
-def examples(page: Path) -> list[Given | Typed]:
+@dataclass(frozen=True)
+class Script:
+    """A `python` block; all of a page are run one after the other, and know what those before them know."""
+
+    text: str
+
+
+def examples(page: Path) -> list[Given | Typed | Script]:
     """Return the examples of a page."""
-    found: list[Given | Typed] = []
+    found: list[Given | Typed | Script] = []
     for kind, text in BLOCK.findall(page.read_text()):
         if kind == "yaml" and text.startswith("# file: "):
             found.append(Given(text.splitlines()[0].removeprefix("# file: ").strip(), text))
+        if kind == "python":
+            found.append(Script(text))
         if kind == "console":
             found += [_typed(line[2:]) for line in text.splitlines() if _is_run(line)]
     return found

@@ -1,6 +1,6 @@
-"""Every command that the documentation shows is run, in the order of its page, beside `examples` alone.
+"""Every command and script of the documentation is run, in the order of its page, beside `examples` alone.
 
-What counts as a file and as a command stands in `docs/make/examples.py`.
+What counts as a file, a command and a script stands in `docs/make/examples.py`.
 """
 
 from __future__ import annotations
@@ -13,20 +13,26 @@ from pathlib import Path
 
 import pytest
 
-from docs.make.examples import Given, Typed, examples
+from docs.make.examples import Given, Script, Typed, examples
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted((ROOT / "docs").rglob("*.md"))
-WITH_COMMANDS = [page for page in PAGES if any(isinstance(each, Typed) for each in examples(page))]
+WITH_COMMANDS = [page for page in PAGES if any(isinstance(e, Typed | Script) for e in examples(page))]
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("page", WITH_COMMANDS, ids=lambda p: p.stem)
-def test_commands_of_a_page_end_as_the_page_says(page: Path, tmp_path: Path) -> None:
+def test_commands_of_a_page_end_as_the_page_says(
+    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     (tmp_path / "examples").symlink_to(ROOT / "examples")
+    monkeypatch.chdir(tmp_path)
+    known: dict[str, object] = {"__name__": "page"}
     for each in examples(page):
         if isinstance(each, Given):
             _write(tmp_path / each.name, each.text)
+        elif isinstance(each, Script):
+            exec(compile(each.text, str(page), "exec"), known)  # noqa: S102  # the documentation's own
         else:
             _run(each, tmp_path)
 
