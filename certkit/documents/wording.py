@@ -64,7 +64,7 @@ def _worded(value: Any, words: Callable[[Reason], str]) -> Any:  # noqa: ANN401 
         return value
     if isinstance(value, dict):
         return dict(zip(value, changed, strict=True))
-    return tuple(changed) if isinstance(value, tuple) else changed
+    return type(value)(changed)  # a tuple stays one, and so does a list whose parts are found by id
 
 
 def _texts(coded: Reason | Sequence[Reason]) -> str | list[str]:
