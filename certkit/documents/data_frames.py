@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
     import pandas as pd
 
-    from certkit.documents.result import CriterionResult, Series
+    from certkit.documents.list_by_id import Identified
 
 COLUMNS = ("title", "value", "unit", "lower", "upper", "margin", "time", "verdict", "confidence", "source")
 SHOWN = ("title", "value", "unit", "lower", "upper", "margin", "verdict")
@@ -29,8 +29,20 @@ class Graded(Protocol):
         """Over all."""
 
     @property
-    def criteria(self) -> Sequence[CriterionResult]:
-        """All criteria."""
+    def criteria(self) -> Sequence[Identified]:
+        """All criteria, with the fields of `COLUMNS`."""
+
+
+class SampledSeries(Protocol):
+    """Values of one channel."""
+
+    @property
+    def unit(self) -> str:
+        """Of the values."""
+
+    @property
+    def values(self) -> Sequence[float]:
+        """At the times of the axis."""
 
 
 class Sampled(Protocol):
@@ -49,7 +61,7 @@ class Sampled(Protocol):
         """Number of samples."""
 
     @property
-    def series(self) -> Mapping[str, Series]:
+    def series(self) -> Mapping[str, SampledSeries]:
         """By name."""
 
 
