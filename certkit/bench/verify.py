@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from certkit._version import __version__
 from certkit.bench.pdf_attachments import Attached, attachments_of
 from certkit.bench.regrade import regrade
-from certkit.documents.document_kinds import documents_from
+from certkit.documents.document_kinds import document_in, documents_from
 from certkit.documents.result import Result
 from certkit.errors import CertkitError, DataError
 from certkit.exchange.channels_csv import channels_csv
@@ -93,9 +93,11 @@ def verify(path: str | Path) -> Verification:
 
 
 def _folder(path: Path) -> Verification:
-    document = path / "result.json"
-    if not document.is_file():
+    document = document_in(path)
+    if document is None:
         raise DataError(f"{path}: no result.json in it; name the folder of one run, a result.json or a PDF")
+    if document.name != Result.file_name:
+        return verify(document)
     content = read_bounded(document)
     result = _result(content, str(document))
     checks = _document_checks("result.json", content, result)

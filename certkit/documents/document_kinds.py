@@ -43,6 +43,12 @@ def document_class(word: str) -> type[OutputDocument]:
     return found
 
 
+def document_in(folder: Path) -> Path | None:
+    """Return the file of the document that a command wrote into a folder; a result before any other."""
+    files = (folder / document_class(word).file_name for word in DOCUMENTS)
+    return next((file for file in files if file.is_file()), None)
+
+
 def read_documents(path: Path) -> list[OutputDocument]:
     """Read a file that holds a document of any kind, or a JSON list of some.
 

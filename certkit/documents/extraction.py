@@ -11,7 +11,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from certkit.documents.output_document import OutputDocument, Part
-from certkit.documents.rounding import Figure, FiguresFixed
+from certkit.documents.rounding import Figure, FigureTuple
 
 
 class GroupResult(Part):
@@ -21,8 +21,8 @@ class GroupResult(Part):
     kind: str
     parts: tuple[str, ...]
     mass: Figure
-    momentum: FiguresFixed
-    displacement: FiguresFixed
+    momentum: FigureTuple
+    displacement: FigureTuple
     low: Figure | None = None
     high: Figure | None = None
     position: Figure | None = None
@@ -41,8 +41,8 @@ class ClosureResult(Part):
 class LawResult(Part):
     """A path's spring law (see `certkit.identification.spring_law`) and how well it repeats the history."""
 
-    shortening: FiguresFixed
-    force: FiguresFixed
+    shortening: FigureTuple
+    force: FigureTuple
     unloading: Figure
     residual: Figure
     permanent_set: Figure
@@ -59,10 +59,10 @@ class PathResult(Part):
     source: str
     target: str
     known_by: str
-    impulse: FiguresFixed
-    force: FiguresFixed
-    shortening: FiguresFixed
-    recorded_force: FiguresFixed | None
+    impulse: FigureTuple
+    force: FigureTuple
+    shortening: FigureTuple
+    recorded_force: FigureTuple | None
     force_error_percent: Figure | None
     closures: tuple[ClosureResult, ...]
     law: LawResult | None
@@ -76,12 +76,12 @@ class MaterialResult(Part):
     path: str
     length: Figure
     area: Figure
-    strain: FiguresFixed
-    stress: FiguresFixed
-    unloading_strain: FiguresFixed
-    unloading_stress: FiguresFixed
-    reference_strain: FiguresFixed
-    reference_stress: FiguresFixed
+    strain: FigureTuple
+    stress: FigureTuple
+    unloading_strain: FigureTuple
+    unloading_stress: FigureTuple
+    reference_strain: FigureTuple
+    reference_stress: FigureTuple
     strain_from: Figure
     rms_percent: Figure | None
     mean_percent: Figure | None

@@ -64,7 +64,7 @@ def rounded_number(value: float | str) -> float | str:
 
 Figure = Annotated[float, PlainSerializer(rounded, when_used="json")]
 Figures = Annotated[list[float], PlainSerializer(rounded_all, return_type=list[float], when_used="json")]
-FiguresFixed = Annotated[
+FigureTuple = Annotated[
     tuple[float, ...], PlainSerializer(rounded_all, return_type=list[float], when_used="json")
 ]
 FigureOrWord = Annotated[

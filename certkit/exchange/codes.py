@@ -47,17 +47,6 @@ class CodeTable:
         own = self.codes[name][0].replace("?", "0")
         return own[:-1] + LETTER_OF_FILTER.get(filtered, "S")
 
-    def condition_of(self, descriptor: str) -> tuple[str, Condition] | None:
-        """Return the condition that an ISO-MME descriptor carries."""
-        return next(
-            (
-                (word, condition)
-                for word, condition in self.conditions.items()
-                if condition.descriptor and condition.descriptor.casefold() == descriptor.casefold()
-            ),
-            None,
-        )
-
 
 def _fits(pattern: str, code: str) -> bool:
     """Tell whether a pattern, with `?` for any character, fits a code."""

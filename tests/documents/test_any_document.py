@@ -202,6 +202,7 @@ def test_one_changed_letter_makes_a_document_that_does_not_hold(word: str, tmp_p
     path = tmp_path / document.file_name
     document.write(path)
     assert "holds" in command("verify", path)
+    assert document.id in command("verify", path.parent)
     text = path.read_text(encoding="utf-8")
     title = "serial" if word == "logbook-overview" else "title"
     changed = text.replace(f'"{title}":"', f'"{title}":"X', 1)
