@@ -43,6 +43,13 @@ def numba_compiled(function: Callable[..., object]) -> Any:  # noqa: ANN401  # l
     import numba  # noqa: PLC0415  # 0.7 s that a warm run does not pay
 
     njit = cast("Any", numba.njit)
-    return njit(
-        error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True, forceinline=True, _nrt=False
-    )(function)
+    public = {
+        "error_model": "numpy",
+        "no_cpython_wrapper": True,
+        "no_cfunc_wrapper": True,
+        "forceinline": True,
+    }
+    try:
+        return njit(**public, _nrt=False)(function)
+    except KeyError:  # an option of numba's own that is gone: slower, and the loop cannot be kept
+        return njit(**public)(function)

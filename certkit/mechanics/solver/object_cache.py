@@ -15,7 +15,7 @@ import sys
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from llvmlite import binding as llvm
 
@@ -90,7 +90,7 @@ def cache_folder() -> Path:
 
 
 def compile_loop() -> Code | None:
-    """Compile with numba; None where the code needs more than llvmlite and the C library to run."""
+    """Compile with numba; None where it gives no object file that can be kept: see `object_code`."""
     from numba import types  # noqa: PLC0415  # 0.7 s that a warm run does not pay
 
     from certkit.mechanics.compiling import numba_compiled  # noqa: PLC0415  # likewise
@@ -99,12 +99,32 @@ def compile_loop() -> Code | None:
     dispatcher = numba_compiled(time_loop)
     dispatcher.compile((types.int64,))
     result = dispatcher.overloads[types.int64,]
-    library, name = result.library, result.fndesc.llvm_func_name
-    module = library._final_module  # noqa: SLF001  # numba has no public way to an object file
+    return object_code(result.library, result.fndesc.llvm_func_name)
+
+
+def object_code(library: Any, name: str) -> Code | None:  # noqa: ANN401  # numba has no types
+    """Return the object file of a compiled function; None where it could not be run without numba.
+
+    Numba has no public way to an object file, so private names are used while they are there. Without them
+    the loop is compiled again in every process, by the public way (`by_numba`).
+
+    Parameters
+    ----------
+    library : numba's code library
+    name : str
+        Of the function in it.
+    """
+    try:
+        module = library._final_module  # noqa: SLF001  # see above
+        emit = library._codegen._tm.emit_object  # noqa: SLF001  # likewise
+    except AttributeError as error:
+        said = f"this numba keeps no compiled solver ({error}); every process compiles it anew"
+        print(said, file=sys.stderr)  # noqa: T201  # runs are slower now: said also where nobody watches
+        return None
     asked = {f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")}
     if not asked <= C_LIBRARY or len(list(module.get_function(name).arguments)) != 3:
         return None
-    return Code(name, library._codegen._tm.emit_object(module))  # noqa: SLF001  # likewise
+    return Code(name, emit(module))
 
 
 def by_llvm(code: Code) -> Entry | None:

@@ -7,11 +7,13 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from certkit.definitions.loading.library import load
+from certkit.mechanics.compiling import numba_compiled
 from certkit.mechanics.simulate import build
 from certkit.mechanics.solver import object_cache
 from certkit.mechanics.solver.kernel_arguments import KINDS, KernelArguments, block
@@ -136,3 +138,33 @@ def test_an_array_that_compiled_code_would_misread_is_refused():
         block(arrays._replace(mass=np.zeros(4)[::2]))
     with pytest.raises(TypeError, match="`layout` must be"):
         block(arrays._replace(layout=np.zeros((2, 2))))
+
+
+@pytest.mark.usefixtures("fresh")
+def test_without_numbas_private_names_the_public_way_is_taken_and_one_line_says_so(
+    world: World,
+    code: Code,
+    by_numba: Entry,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+):
+    another_numba = SimpleNamespace(_codegen=SimpleNamespace())
+    monkeypatch.setattr(
+        object_cache, "compile_loop", lambda: object_cache.object_code(another_numba, code.name)
+    )
+    taken = []
+    monkeypatch.setattr(object_cache, "by_numba", lambda: taken.append("numba") or by_numba)
+    assert np.isfinite(trajectory(world)[0]).all()
+    assert taken == ["numba"]
+    (said,) = capsys.readouterr().err.splitlines()
+    assert "every process compiles it anew" in said
+
+
+def test_without_numbas_private_option_functions_are_compiled_all_the_same(monkeypatch: pytest.MonkeyPatch):
+    def njit(**options: object) -> Callable[..., object]:
+        if "_nrt" in options:
+            raise KeyError("_nrt")
+        return lambda function: function
+
+    monkeypatch.setattr("numba.njit", njit)
+    assert numba_compiled(abs) is abs
