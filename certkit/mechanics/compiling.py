@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
 if TYPE_CHECKING:
@@ -43,13 +43,23 @@ def numba_compiled(function: Callable[..., object]) -> Any:  # noqa: ANN401  # l
     import numba  # noqa: PLC0415  # 0.7 s that a warm run does not pay
 
     njit = cast("Any", numba.njit)
-    public = {
-        "error_model": "numpy",
-        "no_cpython_wrapper": True,
-        "no_cfunc_wrapper": True,
-        "forceinline": True,
-    }
+    return njit(
+        error_model="numpy",
+        no_cpython_wrapper=True,
+        no_cfunc_wrapper=True,
+        forceinline=True,
+        **_without_counted_references(),
+    )(function)
+
+
+@cache
+def _without_counted_references() -> dict[str, bool]:
+    """Return numba's private option for it, or nothing where that is gone: such a loop needs numba to run."""
+    import numba  # noqa: PLC0415  # as above
+
+    option = {"_nrt": False}
     try:
-        return njit(**public, _nrt=False)(function)
-    except KeyError:  # an option of numba's own that is gone: slower, and the loop cannot be kept
-        return njit(**public)(function)
+        cast("Any", numba.njit)(**option)(lambda: None).compile(())
+    except KeyError:
+        return {}
+    return option

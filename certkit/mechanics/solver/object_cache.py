@@ -118,13 +118,19 @@ def object_code(library: Any, name: str) -> Code | None:  # noqa: ANN401  # numb
         module = library._final_module  # noqa: SLF001  # see above
         emit = library._codegen._tm.emit_object  # noqa: SLF001  # likewise
     except AttributeError as error:
-        said = f"this numba keeps no compiled solver ({error}); every process compiles it anew"
-        print(said, file=sys.stderr)  # noqa: T201  # runs are slower now: said also where nobody watches
+        _not_kept(f"this numba gives no object file: {error}")
         return None
     asked = {f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")}
     if not asked <= C_LIBRARY or len(list(module.get_function(name).arguments)) != 3:
+        _not_kept(f"with this numba it needs {', '.join(sorted(asked - C_LIBRARY)) or 'other arguments'}")
         return None
     return Code(name, emit(module))
+
+
+def _not_kept(why: str) -> None:
+    """Say that runs are slower from now on, also where nobody watches."""
+    said = f"the compiled solver cannot be kept, every process compiles it anew ({why})"
+    print(said, file=sys.stderr)  # noqa: T201  # see above
 
 
 def by_llvm(code: Code) -> Entry | None:

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 
+from certkit.mechanics.force_laws import LAWS
 from certkit.mechanics.force_laws.condyle_contact import CondyleContact
 from certkit.mechanics.force_laws.flesh_compression import FleshCompression
+from certkit.mechanics.force_laws.flesh_suspension import FleshSuspension
 from certkit.mechanics.force_laws.honeycomb import Honeycomb
 from certkit.mechanics.force_laws.joint_spring import JointSpring
 from certkit.mechanics.force_laws.law import ForceLaw, OutlinePiece
 from certkit.mechanics.force_laws.ligament_cable import LigamentCable
+from certkit.mechanics.force_laws.loading_ram_force import LoadingRamForce
+from certkit.mechanics.force_laws.ram_nose_contact import RamNoseContact
 from certkit.mechanics.force_laws.sliding_guide import SlidingGuide
+from certkit.mechanics.force_laws.support_roller import SupportRoller
+from certkit.mechanics.records import WORD, Record, record_type
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
 from certkit.mechanics.solver.world import GROUND, Assembly
 
@@ -187,3 +195,100 @@ def test_a_guide_keeps_momentum_and_its_energy_is_accounted_for(damping: float):
         if damping == 0
         else run.dissipated[-1].sum() > 0.01
     )
+
+
+def test_every_law_is_a_record_with_bodies_that_exist_and_a_name_of_its_own():
+    assert len({law.words() for law in LAWS}) == len(LAWS)
+    for law in LAWS:
+        assert record_type(law).itemsize == WORD * len(record_type(law).names)
+        assert law.__doc__
+        assert issubclass(law, ForceLaw)
+
+
+def test_a_record_field_of_another_type_is_refused():
+    @dataclass
+    class Named(Record):
+        name: str
+
+    with pytest.raises(TypeError, match=r"Named\.name must be one of"):
+        record_type(Named)
+
+
+def swinging_flesh(damping: float) -> Trajectory:
+    """Let a piece of flesh swing across and along a turning bone; its shifts are read."""
+    assembly = Assembly()
+    bone = assembly.add_body("bone", 0.5, 0.002, (0.0, 0.0, 0.4), speed=(0.0, 0.0, 2.0))
+    flesh = assembly.add_body("flesh", 0.2, 0.0, (0.001, 0.01, 0.0), speed=(0.5, -0.3, 0.0))
+    assembly.add(
+        FleshSuspension(
+            bone=bone,
+            flesh=flesh,
+            height=0.01,
+            stiffness_across=4e4,
+            stiffness_along=9e4,
+            damping_across=damping,
+            damping_along=damping,
+        )
+    )
+    world = assembly.finish()
+    shifts = [world.place(FleshSuspension, 0, name) for name in ("shift_across", "shift_along")]
+    return run_world(world, Plan(STEP, 0.05, 0.05), shifts, [bone, flesh])
+
+
+@pytest.mark.parametrize("damping", [0.0, 8.0])
+def test_flesh_on_its_bone_keeps_momentum_spin_and_energy(damping: float):
+    run = swinging_flesh(damping)
+    speed, middle = np.diff(run.tracks, axis=0) / STEP, (run.tracks[1:] + run.tracks[:-1]) / 2
+    mass = np.array([0.5, 0.2])
+    momentum = (mass[:, None] * speed[:, :, :2]).sum(axis=1)
+    turning = middle[:, :, 0] * speed[:, :, 1] - middle[:, :, 1] * speed[:, :, 0]
+    spin = 0.002 * speed[:, 0, 2] + (mass * turning).sum(axis=1)
+    assert np.ptp(momentum, axis=0) == pytest.approx([0, 0], abs=1e-9)
+    assert np.ptp(spin) < 1e-4 * np.abs(spin).max()
+    assert np.abs(balance(run) - balance(run)[0]).max() < 1e-3 * balance(run)[0]
+    last = np.abs(run.readings[-1000:]).max()
+    assert (last < 0.5 * np.abs(run.readings).max()) == (damping > 0)
+
+
+def test_the_loading_ram_follows_its_schedule_and_its_work_moves_the_body():
+    assembly = Assembly()
+    ram = assembly.add_body("ram", 2.0, 0.0, (0.3, 0.0, 0.0), guided=True)
+    start, points = assembly.add_curve([(0.0, 0.0), (0.01, 100.0), (0.03, 100.0)])
+    assembly.add(
+        LoadingRamForce(ram=ram, station=0.0, start=0.3, schedule_start=start, schedule_points=points)
+    )
+    world = assembly.finish()
+    states = [world.place(LoadingRamForce, 0, name) for name in ("force", "travel")]
+    run = run_world(world, Plan(STEP, 0.05, 0.05), states)
+    force, travel = run.readings.T
+    assert force == pytest.approx(np.interp(run.time, [0.0, 0.01, 0.05], [0.0, 100.0, 100.0]), abs=1e-9)
+    assert travel[-1] == pytest.approx(0.5 * 100 / 2.0 * (0.04**2 + 0.01 * 0.04 + 0.01**2 / 3), rel=1e-4)
+    assert run.kinetic[-1] == pytest.approx(-run.dissipated[-1].sum(), rel=1e-4)
+
+
+def test_a_ram_nose_bounces_off_a_block_and_pushes_only():
+    assembly = Assembly()
+    ram = assembly.add_body("ram", 1.0, 0.0, (0.151, 0.0, 0.0), speed=(-2.0, 0.0, 0.0), guided=True)
+    block = assembly.add_body("block", 1.0, 0.003, (0.0, 0.0, 0.0))
+    assembly.add(RamNoseContact(ram=ram, block=block, radius=0.05, face=0.1, stiffness=1e6))
+    world = assembly.finish()
+    states = [world.place(RamNoseContact, 0, name) for name in ("depth", "force")]
+    run = run_world(world, Plan(STEP, 0.01, 0.01), states, [ram, block])
+    depth, force = run.readings.T
+    assert np.all(force >= 0)
+    assert np.all(force[depth <= 0] == 0)
+    assert force.max() == pytest.approx(2.0 * np.sqrt(0.5 * 1e6), rel=1e-3)  # v·√(k·m_red)
+    after = (run.tracks[-1, :, 0] - run.tracks[-2, :, 0]) / STEP
+    assert after == pytest.approx([0.0, -2.0], abs=1e-4)  # equal masses exchange their speeds
+
+
+def test_a_roller_holds_a_falling_bar_by_its_weight_at_rest():
+    assembly = Assembly(gravity=(-9.81, 0.0))
+    bar = assembly.add_body("bar", 2.0, 0.03, (0.0, 0.0, 0.0), damping=300.0)
+    assembly.add_outline(OutlinePiece(bar, 0.2, -0.2, 0.0, 0.0))
+    for z in (0.1, -0.1):
+        assembly.add(SupportRoller(station=z, stiffness=1e5, damping=50.0))
+    world = assembly.finish()
+    forces = [world.place(SupportRoller, i, "force") for i in range(2)]
+    run = run_world(world, Plan(1e-4, 0.5, 0.5), forces)
+    assert run.readings[-1] == pytest.approx([9.81, 9.81], rel=1e-6)

@@ -9,11 +9,12 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import SimpleNamespace
 
+import numba
 import numpy as np
 import pytest
 
 from certkit.definitions.loading.library import load
-from certkit.mechanics.compiling import numba_compiled
+from certkit.mechanics import compiling
 from certkit.mechanics.simulate import build
 from certkit.mechanics.solver import object_cache
 from certkit.mechanics.solver.kernel_arguments import KINDS, KernelArguments, block
@@ -158,13 +159,29 @@ def test_without_numbas_private_names_the_public_way_is_taken_and_one_line_says_
     assert taken == ["numba"]
     (said,) = capsys.readouterr().err.splitlines()
     assert "every process compiles it anew" in said
+    assert "_final_module" in said
 
 
 def test_without_numbas_private_option_functions_are_compiled_all_the_same(monkeypatch: pytest.MonkeyPatch):
-    def njit(**options: object) -> Callable[..., object]:
-        if "_nrt" in options:
-            raise KeyError("_nrt")
-        return lambda function: function
+    monkeypatch.setattr(compiling, "_without_counted_references", dict)
 
-    monkeypatch.setattr("numba.njit", njit)
-    assert numba_compiled(abs) is abs
+    def twice(x: float) -> float:
+        return 2 * x
+
+    inner = compiling.numba_compiled(twice)
+
+    @numba.njit
+    def four_times(x: float) -> float:
+        return inner(x) + inner(x)
+
+    assert four_times(1.5) == 6.0
+
+
+def test_an_option_that_numba_does_not_know_is_left_out(monkeypatch: pytest.MonkeyPatch):
+    real = numba.njit
+    monkeypatch.setattr(
+        numba, "njit", lambda **options: real(**{f"{name}_gone": options[name] for name in options})
+    )
+    compiling._without_counted_references.cache_clear()
+    assert compiling._without_counted_references() == {}
+    compiling._without_counted_references.cache_clear()
