@@ -49,11 +49,8 @@ def render(
     RunError
         When the PDF's libraries are missing; all other formats are written by then.
     """
-    from certkit.reporting.document_reports import REPORTS, checked  # noqa: PLC0415  # waits until it is needed
-
     folder = Path(out)
-    usual = REPORTS[document.schema_word()].usual
-    asked = checked(document, usual if formats is None else split(formats))
+    asked = reports_of(document, formats)
     file = folder / document.file_name
     text = document.to_json()
     write_whole(file, text)
@@ -71,6 +68,22 @@ def render_suite(results: Sequence[Result], out: str | Path, formats: str | Coll
     from certkit.reporting import render_suite as write  # noqa: PLC0415  # likewise
 
     return write(results, Path(out), split(formats))
+
+
+def reports_of(
+    document: OutputDocument | type[OutputDocument], formats: str | Collection[str] | None
+) -> list[str]:
+    """Return the wanted reports of a document, or of a kind of them before there is one; see `render`.
+
+    Raises
+    ------
+    UsageError
+        When this kind has no such report.
+    """
+    from certkit.reporting.document_reports import REPORTS, checked  # noqa: PLC0415  # waits until it is needed
+
+    usual = REPORTS[document.schema_word()].usual
+    return checked(document, usual if formats is None else split(formats))
 
 
 def split(formats: str | Collection[str]) -> list[str]:

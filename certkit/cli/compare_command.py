@@ -51,9 +51,11 @@ def compare(
     Errors are (B − A) / A. When only one of the two was measured, it is the reference, wherever it stands.
     """
     from certkit.bench.compare import compare as put_beside  # noqa: PLC0415  # numpy waits until it is needed
-    from certkit.bench.render_documents import render  # noqa: PLC0415  # likewise
+    from certkit.bench.render_documents import render, reports_of  # noqa: PLC0415  # likewise
+    from certkit.documents.comparison import ComparisonDocument  # noqa: PLC0415  # likewise
     from certkit.reporting.comparison_report import comparison_text  # noqa: PLC0415  # likewise
 
+    wanted = reports_of(ComparisonDocument, formats)
     document = put_beside(
         a,
         b,
@@ -66,7 +68,7 @@ def compare(
     folder = out or Path("runs") / f"compare-{document.reference.label}-{document.other.label}".replace(
         " ", "-"
     )
-    render(document, folder, formats)
+    render(document, folder, wanted)
     typer.echo(document.to_json() if as_json else comparison_text(document), nl=not as_json)
     page = folder / "comparison.html"
     typer.echo(f"look at {page}" if page.exists() else f"written to {folder}", err=True)

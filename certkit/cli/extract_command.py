@@ -37,9 +37,11 @@ def extract(
     vehicle=FOLDER/vehicle.yaml`.
     """
     from certkit.bench.extract_vehicle import extract as extract_vehicle  # noqa: PLC0415  # numpy waits
-    from certkit.bench.render_documents import render  # noqa: PLC0415  # likewise
+    from certkit.bench.render_documents import render, reports_of  # noqa: PLC0415  # likewise
     from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
+    from certkit.documents.extraction import ExtractionResult  # noqa: PLC0415  # likewise
 
+    wanted = reports_of(ExtractionResult, formats)
     result = extract_vehicle(
         case,
         data=data,
@@ -48,7 +50,7 @@ def extract(
         tell=(lambda _: None) if quiet or as_json else (lambda what: typer.echo(what, err=True)),
     )
     target = out or Path("runs") / result.case
-    render(result, target, formats)
+    render(result, target, wanted)
     if as_json:
         typer.echo(result.to_json(), nl=False)
     else:

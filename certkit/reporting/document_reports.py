@@ -97,8 +97,8 @@ def render_document(
     return found
 
 
-def checked(document: OutputDocument, formats: Sequence[str]) -> list[str]:
-    """Return the formats, if a document of this kind has each of them.
+def checked(document: OutputDocument | type[OutputDocument], formats: Sequence[str]) -> list[str]:
+    """Return the formats, if a document, or one of this kind, has each of them.
 
     Raises
     ------

@@ -75,3 +75,22 @@ def test_failures_become_annotations_on_github(certkit: Command) -> None:
         "run", "-p", "inverse", "--set", "rig.ram.speed=13 m/s", "--format", "junit", GITHUB_ACTIONS="true"
     )
     assert "::error" in done.stdout
+
+
+def test_procedures_are_named_by_position_or_by_option(certkit: Command, tmp_path: Path) -> None:
+    run = certkit("run", "static-femur", "--procedure", "static-tibia", "--format", "junit", "--out", "both")
+    assert run.returncode == 0, run.stderr
+    assert {path.name for path in (tmp_path / "both").iterdir()} >= {"static-femur", "static-tibia"}
+    both = certkit("run", "static-femur", "--all")
+    assert both.returncode == 2
+    assert "`--all` and named procedures exclude each other" in both.stderr
+
+
+def test_a_command_says_on_standard_error_what_to_do_next(certkit: Command) -> None:
+    run = certkit("run", "static-femur", "--format", "html", "--out", "a")
+    assert "look at a/report.html" in run.stderr
+    assert "look at" not in run.stdout
+    exported = certkit("export", "a", "a.csv")
+    assert "certkit grade --procedure NAME a.csv" in exported.stderr
+    compared = certkit("compare", "a", "a", "--out", "c")
+    assert "look at c/comparison.html" in compared.stderr

@@ -74,4 +74,4 @@ def test_damage_ends_with_exit_code_2_one_error_and_nothing_written(
 def test_an_unknown_report_format_is_refused_before_anything_is_read(case: Path) -> None:
     done = certkit("extract", case, "--format", "docx", folder=case.parent)
     assert done.returncode == 2
-    assert "no extraction report in `docx`" in done.stderr
+    assert "no extraction in the format `docx`; use html, pdf" in done.stderr
