@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from certkit.errors import DataError
 from certkit.exchange.container import read_bounded
 from certkit.reporting.attachments import MANIFEST, SCHEMA
+from certkit.reporting.language import ENGLISH, languages
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -31,6 +32,7 @@ class Attached:
     listed: Mapping[str, str]
     paper: Paper
     created: datetime | None
+    language: str = ENGLISH
 
 
 def attachments_of(path: Path) -> Attached:
@@ -61,7 +63,8 @@ def attachments_of(path: Path) -> Attached:
         raise DataError(
             f"{path}: {MANIFEST} is damaged; the certificate was changed since it was made"
         ) from error
-    return Attached(files, hashes, paper, created)
+    spoken = str(listed.get("language", ENGLISH))
+    return Attached(files, hashes, paper, created, spoken if spoken in languages() else ENGLISH)
 
 
 def _opened(path: Path) -> tuple[Paper, datetime | None, list[tuple[str, bytes]]]:

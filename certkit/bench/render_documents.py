@@ -21,6 +21,7 @@ def render(
     formats: str | Collection[str] | None = None,
     *,
     paper: Paper = "A4",
+    language: str = "en",
 ) -> list[Path]:
     """Write a document as JSON, and the wanted reports of it.
 
@@ -36,6 +37,8 @@ def render(
         and `pdf` where there is one) when not given.
     paper : {'A4', 'Letter'}
         Page size of the PDF, where there is a choice.
+    language : str
+        Of page and PDF: `en`, `de`, `ja`. The document's id is the same in each.
 
     Returns
     -------
@@ -60,14 +63,16 @@ def render(
     from certkit.reporting.document_reports import render_document  # noqa: PLC0415  # likewise
 
     # From the text, whose numbers are rounded: reports are the ones that the document alone makes.
-    return [*written, *render_document(document.from_json(text), folder, asked, paper=paper)]
+    return [*written, *render_document(document.from_json(text), folder, asked, paper=paper, spoken=language)]
 
 
-def render_suite(results: Sequence[Result], out: str | Path, formats: str | Collection[str]) -> list[Path]:
+def render_suite(
+    results: Sequence[Result], out: str | Path, formats: str | Collection[str], *, language: str = "en"
+) -> list[Path]:
     """Write the index page and the bound certificate of several results."""
     from certkit.reporting import render_suite as write  # noqa: PLC0415  # likewise
 
-    return write(results, Path(out), split(formats))
+    return write(results, Path(out), split(formats), spoken=language)
 
 
 def reports_of(

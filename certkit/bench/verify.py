@@ -121,12 +121,12 @@ def _report_checks(path: Path, result: Result) -> Iterator[Check]:
     """Check that the reports beside a document are what it renders to; another certkit may draw otherwise."""
     if result.provenance.certkit != __version__:
         return
-    from certkit.reporting.html_report import page  # noqa: PLC0415  # likewise
+    from certkit.reporting.html_report import language_of, page  # noqa: PLC0415  # likewise
     from certkit.reporting.junit import junit  # noqa: PLC0415  # jinja2 only where there is a page to check
     from certkit.reporting.markdown import summary  # noqa: PLC0415  # likewise
 
     makers: dict[str, Callable[[], str | bytes]] = {
-        "report.html": lambda: page(result),
+        "report.html": lambda: page(result, language_of(read_bounded(path / "report.html"))),
         "junit.xml": lambda: junit([result]),
         "summary.md": lambda: summary([result]),
     }
@@ -178,7 +178,9 @@ def _pages_check(path: Path, results: list[Result], attached: Attached) -> Itera
     from certkit.reporting.pdf_certificate import certificate  # noqa: PLC0415  # WeasyPrint takes a second
 
     content = read_bounded(path)
-    same = content.startswith(certificate(results, paper=attached.paper, created=attached.created))
+    same = content.startswith(
+        certificate(results, paper=attached.paper, created=attached.created, spoken=attached.language)
+    )
     yield Check(
         "pages", same, "" if same else "are not what the attached result.json renders to; one was changed"
     )

@@ -133,3 +133,10 @@ def exit_code(
     if results:
         codes.add(code(results, permitted))
     return next(worst for worst in (3, 2, 1, 4, 0) if worst in codes)
+
+
+def check_language(code: str) -> None:
+    """Refuse a language that there is not before anything is computed."""
+    from certkit.reporting.language import language  # noqa: PLC0415  # as all of reporting
+
+    language(code)

@@ -48,6 +48,7 @@ def grade(
     lenient: Lenient = False,
     out: GradeOut = None,
     formats: options.Formats = options.DEFAULT_FORMATS,
+    language: options.Language = "en",
     overrides: options.Overrides = None,
     library: options.Libraries = None,
     allow: options.Allow = None,
@@ -66,6 +67,7 @@ def grade(
     from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
 
     wanted = terminal.formats(formats)
+    terminal.check_language(language)
     permitted = terminal.allowed(allow)
     several = len(data) > 1
     folder = out or Path("runs")
@@ -83,7 +85,7 @@ def grade(
                 overrides=overrides_from(overrides or ()),
             )
             place = folder / path.stem if several or out is None else folder
-            written = render(result, place, wanted)
+            written = render(result, place, wanted, language=language)
             results.append(result)
             if verbose:
                 terminal.tell_files(written)

@@ -27,6 +27,9 @@ Libraries = Annotated[
     list[Path] | None,
     typer.Option("--library", metavar="DIR", help="Folder with own definitions; searched first. Repeatable."),
 ]
+Language = Annotated[
+    str, typer.Option("--language", metavar="CODE", help="Language of page and PDF: en, de or ja.")
+]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only the verdict table and errors.")]
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Also tell what is done, step by step.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print the JSON document alone on standard output.")]

@@ -8,6 +8,8 @@ from typing import Annotated
 
 import typer
 
+from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+
 Documents = Annotated[
     list[Path],
     typer.Argument(
@@ -36,6 +38,7 @@ def report(
             show_default="html, and pdf where there is one",
         ),
     ] = None,
+    language: options.Language = "en",
     paper: Annotated[Paper, typer.Option("--paper", help="Page size of the PDF.")] = Paper.A4,
     sign: Annotated[
         Path | None,
@@ -61,11 +64,13 @@ def report(
     for path, document in documents:
         name = document.procedure if isinstance(document, Result) else path.stem
         folder = path.parent if out is None else out / name if len(results) > 1 else out
-        written += render_document(document, folder, wanted, paper=paper.value)
+        written += render_document(document, folder, wanted, paper=paper.value, spoken=language)
     tests = [document for _, document in documents if isinstance(document, Result)]
     if len(tests) > 1:
         folder = results[0].parent.parent if out is None else out
-        written += render_suite(tests, folder, wanted or ["html", "pdf"], title=title, paper=paper.value)
+        written += render_suite(
+            tests, folder, wanted or ["html", "pdf"], title=title, paper=paper.value, spoken=language
+        )
     if sign is not None:
         for path in written:
             if path.suffix == ".pdf":

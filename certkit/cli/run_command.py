@@ -46,6 +46,7 @@ def run(
     ] = False,
     out: options.Out = None,
     formats: options.Formats = options.DEFAULT_FORMATS,
+    language: options.Language = "en",
     overrides: options.Overrides = None,
     library: options.Libraries = None,
     allow: options.Allow = None,
@@ -64,6 +65,7 @@ def run(
     from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
 
     wanted = terminal.formats(formats)
+    terminal.check_language(language)
     permitted = terminal.allowed(allow)
     names = terminal.procedures([*(named or ()), *(procedure or ())], every=every, library=library or ())
     changes = overrides_from(overrides or ())
@@ -76,7 +78,7 @@ def run(
             try:
                 result = call(name, library=tuple(library or ()), overrides=changes)
                 target = terminal.folder(out, result.procedure, several=len(names) > 1)
-                written = render(result, target, wanted)
+                written = render(result, target, wanted, language=language)
             except CertkitError as error:
                 # One procedure that cannot be run must not take the others with it.
                 failures.append(error)
@@ -85,7 +87,7 @@ def run(
             if verbose:
                 terminal.tell_files(written)
         if len(results) > 1:
-            render_suite(results, out or Path("runs"), wanted)
+            render_suite(results, out or Path("runs"), wanted, language=language)
     place = out or Path("runs")
     if len(names) == 1 and results:
         place = terminal.folder(out, results[0].procedure, several=False)

@@ -9,6 +9,7 @@ from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
 
 from certkit.exchange.channels_csv import channels_csv
+from certkit.reporting.language import ENGLISH
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -71,9 +72,9 @@ def enclosures(result: Result, prefix: str = "") -> list[Enclosure]:
     return found
 
 
-def manifest(parts: Sequence[Enclosure], ids: Sequence[str]) -> Enclosure:
-    """Return the list of all enclosures with their hashes, itself an enclosure."""
+def manifest(parts: Sequence[Enclosure], ids: Sequence[str], spoken: str = ENGLISH) -> Enclosure:
+    """Return the list of all enclosures with their hashes and the pages' language, itself an enclosure."""
     listed = [{"name": part.name, "role": part.role, "sha256": part.sha256} for part in parts]
-    data = {"schema": SCHEMA, "certificates": list(ids), "attachments": listed}
+    data = {"schema": SCHEMA, "certificates": list(ids), "language": spoken, "attachments": listed}
     content = json.dumps(data, ensure_ascii=False, indent=1) + "\n"
     return Enclosure(MANIFEST, "manifest", content.encode(), "Supplement")

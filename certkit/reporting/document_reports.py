@@ -11,6 +11,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from certkit.errors import UsageError
+from certkit.reporting.language import ENGLISH, worded
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -33,7 +34,7 @@ class DocumentReport:
     usual : tuple of str
         Those written when none is named.
     takes_paper : bool
-        Whether the writer is told the page size.
+        Whether the writer is told page size and language.
     """
 
     writer: str
@@ -63,7 +64,12 @@ REPORTS = {
 
 
 def render_document(
-    document: OutputDocument, out: Path, formats: Sequence[str] | None = None, *, paper: Paper = "A4"
+    document: OutputDocument,
+    out: Path,
+    formats: Sequence[str] | None = None,
+    *,
+    paper: Paper = "A4",
+    spoken: str = ENGLISH,
 ) -> list[Path]:
     """Write the reports of a document of any kind into a folder.
 
@@ -77,6 +83,8 @@ def render_document(
         The kind's usual ones when missing.
     paper : {'A4', 'Letter'}
         Page size of the PDF, where there is a choice.
+    spoken : str
+        Language; of a result's page and PDF as a whole, of other documents the reasons in it.
 
     Returns
     -------
@@ -92,7 +100,11 @@ def render_document(
     checked(document, formats or ())
     module, _, name = report.writer.partition(":")
     write = getattr(import_module(module), name)
-    options = {"paper": paper} if report.takes_paper else {}
+    options: dict[str, str] = {}
+    if report.takes_paper:
+        options = {"paper": paper, "spoken": spoken}
+    elif spoken != ENGLISH:
+        document = worded(document, spoken)
     found: list[Path] = write(document, out, report.usual if formats is None else formats, **options)
     return found
 

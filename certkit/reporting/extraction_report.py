@@ -7,7 +7,7 @@ The figures are those of the paper: momentum balance (17), force between groups 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from certkit._version import __version__
 from certkit.errors import UsageError
@@ -110,7 +110,7 @@ def _momentum(result: ExtractionResult, times: list[float]) -> str | None:
     return lines_chart(lines, "Momentum of the groups", "ms", "N·s") if lines else None
 
 
-def _parts(result: ExtractionResult) -> dict[str, object]:
+def _parts(result: ExtractionResult) -> dict[str, Any]:
     times = [t * 1e3 for t in result.times]
     return {
         "doc": result,

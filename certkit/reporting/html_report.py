@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import re
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
+from certkit.reporting.language import ENGLISH, language, languages
 from certkit.reporting.page_data import embedded, payload
-from certkit.reporting.result_view import unique_views
+from certkit.reporting.result_view import View, unique_views
 from certkit.reporting.templating import fill, folder, text
 
 if TYPE_CHECKING:
@@ -19,17 +21,26 @@ if TYPE_CHECKING:
 
     from certkit.documents.result import Result
 
+_LANGUAGE = re.compile(rb'<html lang="([a-z]{2})">')
 _SCRIPTS = ("scripts/curves.js", "scripts/motion.js", "scripts/page.js")
 
 
-def page(result: Result) -> str:
-    """Return the page of one result."""
-    return _page([result], [], f"{result.title} – {result.verdict}")
+def language_of(content: bytes) -> str:
+    """Return the language that a page says it is in; English when that is none of ours."""
+    said = _LANGUAGE.search(content[:500])
+    code = said[1].decode() if said else ENGLISH
+    return code if code in languages() else ENGLISH
 
 
-def suite_page(results: Sequence[Result], title: str = "Certification suite") -> str:
+def page(result: Result, spoken: str = ENGLISH) -> str:
+    """Return the page of one result, in a language."""
+    title = f"{result.title} – {language(spoken).verdict(result.verdict)}"
+    return _page(unique_views([result], spoken), [], title, spoken)
+
+
+def suite_page(results: Sequence[Result], title: str = "Certification suite", spoken: str = ENGLISH) -> str:
     """Return one page with an index line a procedure and all their reports below."""
-    views = unique_views(results)
+    views = unique_views(results, spoken)
     lines: list[dict[str, object]] = [
         {
             "key": shown.key,
@@ -43,24 +54,22 @@ def suite_page(results: Sequence[Result], title: str = "Certification suite") ->
         }
         for shown in views
     ]
-    return _page(results, lines, title)
+    return _page(views, lines, title, spoken)
 
 
-def _page(results: Sequence[Result], index: Sequence[dict[str, object]], title: str) -> str:
+def _page(views: Sequence[View], index: Sequence[dict[str, object]], title: str, spoken: str) -> str:
     style = page_style()
     script = "(() => {\n" + "\n".join(text(name) for name in _SCRIPTS) + "})();"
     return fill(
         "page.html.j2",
+        spoken=spoken,
         title=title,
         version=__version__,
         policy=_policy(style, script),
         style=style,
         script=script,
         index=index,
-        reports=[
-            (shown, embedded(payload(result)))
-            for shown, result in zip(unique_views(results), results, strict=True)
-        ],
+        reports=[(shown, embedded(payload(shown.result))) for shown in views],
     )
 
 

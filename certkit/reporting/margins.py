@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from certkit.reporting.language import Language, language
 from certkit.reporting.number_format import corridor, criterion_decimals, fixed
 
 if TYPE_CHECKING:
@@ -32,41 +33,52 @@ def worst(result: Result) -> CriterionResult | None:
     return next((c for c in drawn if c.graded), drawn[0] if drawn else None)
 
 
-def margin_words(criterion: CriterionResult | None) -> str:
+def margin_words(criterion: CriterionResult | None, spoken: Language | None = None) -> str:
     """Write `T4: 2.3 N·m inside 90 – 111 (22 % of the half-width)`, or a dash."""
     if criterion is None or criterion.margin is None or not math.isfinite(criterion.margin):
         return "–"
+    t = (spoken or language()).word
     size = fixed(abs(criterion.margin), criterion_decimals(criterion))
-    side = "inside" if criterion.margin >= 0 else "outside"
+    side = t("inside") if criterion.margin >= 0 else t("outside")
     words = f"{criterion.id}: {size} {criterion.unit} {side}"
     if criterion.lower is None and criterion.upper is None:
         return words
-    share = relative_margin(criterion)
-    whole = "half-width" if criterion.lower is not None and criterion.upper is not None else "limit"
     words += f" {corridor(criterion.lower, criterion.upper)}"
-    return words + (f" ({abs(share) * 100:.0f} % of the {whole})" if share is not None else "")
+    share = relative_margin(criterion)
+    if share is None:
+        return words
+    percent = f"{abs(share) * 100:.0f}"
+    if criterion.lower is not None and criterion.upper is not None:
+        return f"{words} ({t('{percent} % of the half-width', percent=percent)})"
+    return f"{words} ({t('{percent} % of the limit', percent=percent)})"
 
 
-def nearest_words(criterion: CriterionResult | None) -> str:
+def nearest_words(criterion: CriterionResult | None, spoken: Language | None = None) -> str:
     """Write `Nearest to a limit: T4: …` or, where a limit was missed, `Furthest outside: PCL: …`."""
     if criterion is None or criterion.margin is None or not math.isfinite(criterion.margin):
         return ""
-    lead = "Nearest to a limit" if criterion.margin >= 0 else "Furthest outside"
-    return f"{lead}: {margin_words(criterion)}"
+    t = (spoken or language()).word
+    lead = t("Nearest to a limit") if criterion.margin >= 0 else t("Furthest outside")
+    return f"{lead}: {margin_words(criterion, spoken)}"
 
 
-def tally(result: Result) -> str:
+def tally(result: Result, spoken: Language | None = None) -> str:
     """Write how the criteria came out: `7 of 7 graded criteria within corridor; 3 shown, not graded`."""
+    spoken = spoken or language()
+    t = spoken.word
     graded = [c for c in result.criteria if c.graded]
     shown = len(result.criteria) - len(graded)
     if not graded:
-        return f"No criterion could be graded; {shown} shown." if shown else "No criterion could be graded."
+        said = t("No criterion could be graded; {shown} shown.", shown=shown)
+        return said if shown else t("No criterion could be graded.")
     passed = sum(c.verdict == "pass" for c in graded)
-    noun = "criterion" if len(graded) == 1 else "criteria"
-    words = f"{passed} of {len(graded)} graded {noun} within corridor"
+    if len(graded) == 1:
+        words = t("{passed} of {count} graded criterion within corridor", passed=passed, count=len(graded))
+    else:
+        words = t("{passed} of {count} graded criteria within corridor", passed=passed, count=len(graded))
     others = {
         word: sum(c.verdict == word for c in graded)
         for word in ("fail", "conditional", "not evaluated", "error")
     }
-    words += "".join(f"; {count} {word}" for word, count in others.items() if count)
-    return words + (f"; {shown} shown, not graded." if shown else ".")
+    words += "".join(f"; {count} {spoken.verdict(word)}" for word, count in others.items() if count)
+    return words + (t("; {shown} shown, not graded.", shown=shown) if shown else ".")

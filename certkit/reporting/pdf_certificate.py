@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Literal
 from certkit._version import __version__
 from certkit.errors import UsageError
 from certkit.reporting.attachments import Enclosure, enclosures, manifest
+from certkit.reporting.font_check import check_font
+from certkit.reporting.language import ENGLISH
 from certkit.reporting.pdf_engine import typeset, weasyprint
 from certkit.reporting.result_view import View, unique_views
 from certkit.reporting.templating import fill, text
@@ -71,6 +73,7 @@ def certificate(
     title: str | None = None,
     contents: bool = False,
     created: datetime | None = None,
+    spoken: str = ENGLISH,
 ) -> bytes:
     """Render one certificate, or several bound together.
 
@@ -86,6 +89,8 @@ def certificate(
         Begin with a table of contents.
     created : datetime, optional
         Date that the PDF bears; see `creation_date` for where it comes from otherwise.
+    spoken : str
+        Language of the pages; the documents inside stay as they are.
 
     Returns
     -------
@@ -97,16 +102,20 @@ def certificate(
     RunError
         When WeasyPrint or the Pango library that it draws text with is missing; says how to install them.
     """
-    weasyprint()  # a missing library is said before any work is done
+    weasyprint()  # a missing library or font is said before any work is done
+    check_font(spoken)
     several = len(results) > 1
-    views = unique_views(results)
+    views = unique_views(results, spoken)
     chapters = [
-        Chapter(shown, enclosures(shown.result, f"{shown.key}-" if several else "")) for shown in views
+        Chapter(shown, enclosures(result, f"{shown.key}-" if several else ""))
+        for shown, result in zip(views, results, strict=True)
     ]
-    listed = manifest([part for chapter in chapters for part in chapter.enclosures], [r.id for r in results])
+    parts = [part for chapter in chapters for part in chapter.enclosures]
+    listed = manifest(parts, [r.id for r in results], spoken)
     created = created or creation_date(results)
     html = fill(
         "certificate.html.j2",
+        spoken=spoken,
         title=title or results[0].title,
         version=__version__,
         created=created.strftime("%Y-%m-%dT%H:%M:%SZ"),
@@ -116,5 +125,4 @@ def certificate(
         contents=contents,
         manifest=listed,
     )
-    parts = [*(part for chapter in chapters for part in chapter.enclosures), listed]
-    return typeset(html, parts, created)
+    return typeset(html, [*parts, listed], created)

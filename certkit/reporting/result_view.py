@@ -15,10 +15,11 @@ from certkit.reporting.charts.plane import plane_chart
 from certkit.reporting.charts.position import position_bar
 from certkit.reporting.charts.spark import sparkline
 from certkit.reporting.laboratory_view import LaboratoryView, laboratory_view
+from certkit.reporting.language import ENGLISH, language, worded
 from certkit.reporting.margins import margin_words, nearest_words, tally, worst
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from certkit.documents.result import CriterionResult, Result
 
@@ -90,6 +91,7 @@ class View:
     errors: str | None
     energies: str | None
     laboratory: LaboratoryView | None
+    specimen: list[tuple[str, str]]
     numbers: list[NumberGroup]
     number_sources: list[str]
 
@@ -107,38 +109,42 @@ def slug(text: str) -> str:
     return re.sub(r"[^A-Za-z0-9]+", "-", text).strip("-") or "x"
 
 
-def _unsure(criterion: CriterionResult, decimals: int) -> list[str]:
+def _unsure(criterion: CriterionResult, decimals: int, t: Callable[..., str]) -> list[str]:
     remarks: list[str] = []
     unsure = criterion.uncertainty
     if unsure:
         finest = 10.0**-decimals
         if unsure.numerical is not None and abs(unsure.numerical) < finest / 2:
-            remarks.append(f"± < {words.plain(finest)} numerical")
+            remarks.append(f"± < {words.plain(finest)} {t('numerical')}")
         parts = (
-            ("numerical", unsure.numerical if abs(unsure.numerical or 0) >= finest / 2 else None),
+            (t("numerical"), unsure.numerical if abs(unsure.numerical or 0) >= finest / 2 else None),
             ("U, k = 2", unsure.expanded),
-            ("guard band", unsure.guard_band),
+            (t("guard band"), unsure.guard_band),
         )
         remarks += [f"± {words.plain(v, 2)} {name}" for name, v in parts if v]
         if unsure.false_accept is not None:
             share = unsure.false_accept * 100
-            remarks.append(f"false accept {words.plain(share, 2) if share >= 0.01 else '< 0.01'} %")
+            remarks.append(f"{t('false accept')} {words.plain(share, 2) if share >= 0.01 else '< 0.01'} %")
     if criterion.spread:
         low, high = (words.fixed(v, decimals) for v in (criterion.spread.minimum, criterion.spread.maximum))
-        remarks.append(f"{low} – {high} over {criterion.spread.members} legs")
+        remarks.append(
+            t("{low} – {high} over {legs} legs", low=low, high=high, legs=criterion.spread.members)
+        )
     return remarks
 
 
-def _row(criterion: CriterionResult, key: str, drawn: set[str], sources: list[str]) -> Row:
+def _row(
+    criterion: CriterionResult, key: str, drawn: set[str], sources: list[str], t: Callable[..., str]
+) -> Row:
     decimals = words.criterion_decimals(criterion)
     target = _target(criterion)
-    how = " · ".join(part for part in (criterion.measure, criterion.filter) if part and part != "none")
+    how = " · ".join(part for part in (t(criterion.measure), criterion.filter) if part and part != "none")
     return Row(
         id=criterion.id,
         title=words.rest(criterion.id, criterion.title),
         value=words.fixed(criterion.value, decimals),
         unit=criterion.unit if criterion.value is not None else "",
-        corridor=_corridor(criterion),
+        corridor=_corridor(criterion, t),
         bar=position_bar(criterion, decimals),
         margin=words.fixed(criterion.margin, decimals),
         time=words.milliseconds(criterion.time),
@@ -148,7 +154,7 @@ def _row(criterion: CriterionResult, key: str, drawn: set[str], sources: list[st
         confidence=criterion.confidence or "",
         source_number=sources.index(criterion.source) + 1 if criterion.source else None,
         how=how,
-        unsure=_unsure(criterion, decimals),
+        unsure=_unsure(criterion, decimals, t),
         reason=criterion.reason,
         chart=f"{key}-chart-{slug(target)}" if target in drawn else None,
     )
@@ -169,11 +175,11 @@ def _numbers(result: Result, sources: list[str]) -> list[NumberGroup]:
     return [NumberGroup(title, rows) for title, rows in groups.items()]
 
 
-def _corridor(criterion: CriterionResult) -> str:
+def _corridor(criterion: CriterionResult, t: Callable[..., str]) -> str:
     if criterion.lower is None and criterion.upper is None:
         if criterion.curve and criterion.curve.polygon:
-            return "polygon"
-        return "over time" if criterion.band else words.MISSING
+            return t("polygon")
+        return t("over time") if criterion.band else words.MISSING
     return words.corridor(criterion.lower, criterion.upper)
 
 
@@ -193,8 +199,11 @@ def ordered_channels(result: Result) -> dict[str, CriterionResult | None]:
     return chosen | {name: None for name in series if name not in chosen}
 
 
-def view(result: Result, *, suffix: str = "") -> View:
-    """Word and draw a result; `suffix` tells two results of one procedure apart."""
+def view(result: Result, *, suffix: str = "", spoken: str = ENGLISH) -> View:
+    """Word and draw a result in a language; `suffix` tells two results of one procedure apart."""
+    t = language(spoken).word
+    if spoken != ENGLISH:
+        result = worded(result, spoken)
     key = slug(result.procedure) + suffix
     channels = ordered_channels(result)
     curves = result.curves
@@ -225,13 +234,13 @@ def view(result: Result, *, suffix: str = "") -> View:
     return View(
         result=result,
         key=key,
-        heading=heading,
-        subject=subject,
-        meaning=words.meaning(result.verdict) if result.verdict in {"not evaluated", "error"} else "",
-        tally=tally(result),
-        nearest=margin_words(nearest),
-        nearest_words=nearest_words(nearest),
-        rows=[_row(criterion, key, targets, sources) for criterion in result.criteria],
+        heading=t(heading),
+        subject=t(subject),
+        meaning=t(words.meaning(result.verdict)) if result.verdict in {"not evaluated", "error"} else "",
+        tally=tally(result, language(spoken)),
+        nearest=margin_words(nearest, language(spoken)),
+        nearest_words=nearest_words(nearest, language(spoken)),
+        rows=[_row(criterion, key, targets, sources, t) for criterion in result.criteria],
         sources=sources,
         histories=histories,
         planes=planes,
@@ -240,17 +249,18 @@ def view(result: Result, *, suffix: str = "") -> View:
         errors=errors_chart(result.comparison) if result.comparison and result.comparison.rows else None,
         energies=energies_chart(result.energies) if result.energies else None,
         laboratory=laboratory_view(result.laboratory),
+        specimen=[(t(name), value) for name, value in result.specimen.items()],
         numbers=_numbers(result, number_sources),
         number_sources=number_sources,
     )
 
 
-def unique_views(results: Sequence[Result]) -> list[View]:
+def unique_views(results: Sequence[Result], spoken: str = ENGLISH) -> list[View]:
     """Return views whose keys differ, also when a procedure was run twice."""
     counts: dict[str, int] = {}
     views = []
     for result in results:
         counts[result.procedure] = counts.get(result.procedure, 0) + 1
         number = counts[result.procedure]
-        views.append(view(result, suffix=f"-{number}" if number > 1 else ""))
+        views.append(view(result, suffix=f"-{number}" if number > 1 else "", spoken=spoken))
     return views

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import base64
 import hashlib
+from typing import Any
 
 from certkit._version import __version__
 from certkit.reporting.html_report import page_style
 from certkit.reporting.templating import fill
 
 
-def sheet(template: str, title: str, **values: object) -> str:
+def sheet(template: str, title: str, **values: Any) -> str:  # noqa: ANN401  # templates take anything
     """Fill a template that extends `sheet.html.j2`.
 
     Parameters

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from certkit.errors import UsageError
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.position import position_bar
+from certkit.reporting.language import ENGLISH, language
 from certkit.reporting.vehicle_front_view import front_view
 
 if TYPE_CHECKING:
@@ -40,7 +41,7 @@ def text(name: str) -> str:
 
 
 @cache
-def _environment() -> SandboxedEnvironment:
+def _environment(code: str) -> SandboxedEnvironment:
     from jinja2 import FileSystemLoader, StrictUndefined  # noqa: PLC0415  # 60 ms that other commands need not pay
     from jinja2.sandbox import SandboxedEnvironment  # noqa: PLC0415  # likewise
 
@@ -58,7 +59,11 @@ def _environment() -> SandboxedEnvironment:
         "milliseconds": words.milliseconds,
         "slug_class": lambda verdict: "v-" + str(verdict).replace(" ", "-"),
     }
+    spoken = language(code)
     environment.globals |= {
+        "language": spoken,
+        "t": spoken.word,
+        "verdict_name": spoken.verdict,
         "corridor": words.corridor,
         "signs": words.SIGNS,
         "confidence_words": words.CONFIDENCE,
@@ -68,6 +73,6 @@ def _environment() -> SandboxedEnvironment:
     return environment
 
 
-def fill(name: str, **values: Any) -> str:  # noqa: ANN401  # templates take anything
-    """Fill a template; everything that is not one of our own drawings is escaped."""
-    return _environment().get_template(name).render(**values)
+def fill(name: str, *, spoken: str = ENGLISH, **values: Any) -> str:  # noqa: ANN401  # templates take anything
+    """Fill a template in a language; everything that is not one of our own drawings is escaped."""
+    return _environment(spoken).get_template(name).render(**values)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from certkit.errors import UsageError
 from certkit.files import write_whole
+from certkit.reporting.language import ENGLISH
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection, Sequence
@@ -40,7 +41,9 @@ def checked(formats: Collection[str]) -> list[str]:
     return [name for name in ("csv", "junit", "md", "html", "pdf") if name in formats]
 
 
-def render(result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4") -> list[Path]:
+def render(
+    result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4", spoken: str = ENGLISH
+) -> list[Path]:
     """Write the reports of one result into a folder.
 
     Parameters
@@ -53,6 +56,8 @@ def render(result: Result, out: Path, formats: Collection[str], *, paper: Paper 
         Of `html`, `pdf`, `junit`, `csv`, `md`; `json` is ignored here, since grading writes it.
     paper : {'A4', 'Letter'}
         Page size of the PDF.
+    spoken : str
+        Language of page and PDF; files for machines, and the summary, are English.
 
     Returns
     -------
@@ -66,14 +71,16 @@ def render(result: Result, out: Path, formats: Collection[str], *, paper: Paper 
     RunError
         When the PDF's libraries are missing; all other formats are written by then.
     """
-    return render_written(result.as_written(), out, formats, paper=paper)
+    return render_written(result.as_written(), out, formats, paper=paper, spoken=spoken)
 
 
-def render_written(result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4") -> list[Path]:
+def render_written(
+    result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4", spoken: str = ENGLISH
+) -> list[Path]:
     """Do as `render` does, with a result that was read from its own JSON and so has its digits already."""
     makers: dict[str, Callable[[], bytes | str | None]] = {
-        "html": lambda: _page(result),
-        "pdf": lambda: _pdf([result], paper, None),
+        "html": lambda: _page(result, spoken),
+        "pdf": lambda: _pdf([result], paper, None, spoken),
         "junit": lambda: _junit([result]),
         "csv": lambda: _csv(result),
         "md": lambda: _summary([result]),
@@ -88,6 +95,7 @@ def render_suite(
     *,
     title: str = "Certification suite",
     paper: Paper = "A4",
+    spoken: str = ENGLISH,
 ) -> list[Path]:
     """Write what binds several results together: index page, one PDF with contents, JUnit, summary.
 
@@ -95,8 +103,8 @@ def render_suite(
     """
     results = [result.as_written() for result in results]
     makers: dict[str, Callable[[], bytes | str | None]] = {
-        "html": lambda: _suite_page(results, title),
-        "pdf": lambda: _pdf(results, paper, title),
+        "html": lambda: _suite_page(results, title, spoken),
+        "pdf": lambda: _pdf(results, paper, title, spoken),
         "junit": lambda: _junit(results),
         "md": lambda: _summary(results),
     }
@@ -128,22 +136,22 @@ def render_extraction(result: ExtractionResult, out: Path, formats: Collection[s
 # Each format's modules are imported when it is asked for: a JUnit file must not wait for jinja2.
 
 
-def _page(result: Result) -> str:
+def _page(result: Result, spoken: str) -> str:
     from certkit.reporting.html_report import page  # noqa: PLC0415  # see above
 
-    return page(result)
+    return page(result, spoken)
 
 
-def _suite_page(results: Sequence[Result], title: str) -> str:
+def _suite_page(results: Sequence[Result], title: str, spoken: str) -> str:
     from certkit.reporting.html_report import suite_page  # noqa: PLC0415  # see above
 
-    return suite_page(results, title)
+    return suite_page(results, title, spoken)
 
 
-def _pdf(results: Sequence[Result], paper: Paper, title: str | None) -> bytes:
+def _pdf(results: Sequence[Result], paper: Paper, title: str | None, spoken: str) -> bytes:
     from certkit.reporting.pdf_certificate import certificate  # noqa: PLC0415  # see above
 
-    return certificate(results, paper=paper, title=title, contents=title is not None)
+    return certificate(results, paper=paper, title=title, contents=title is not None, spoken=spoken)
 
 
 def _junit(results: Sequence[Result]) -> bytes:

@@ -5,14 +5,25 @@ from __future__ import annotations
 import ast
 import re
 import string
+import subprocess
+from importlib.metadata import version
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
+from certkit._version import __version__
+from certkit.bench.pdf_attachments import attachments_of
+from certkit.bench.render_documents import render
+from certkit.bench.verify import verify
+from certkit.definitions.procedure import Measure
 from certkit.documents.wording import without_words
-from certkit.errors import UsageError
+from certkit.errors import RunError, UsageError
 from certkit.reasons import Reason
+from certkit.reporting import font_check
 from certkit.reporting.language import language, languages, worded
+from certkit.reporting.number_format import CONFIDENCE
+from certkit.reporting.result_view import KINDS
 from tests.support.sheets import bump, corridor_set, grade, procedure, recording
 
 PACKAGE = Path(__file__).parents[2] / "certkit"
@@ -126,3 +137,60 @@ def test_a_users_own_words_are_told_as_they_are():
 def test_an_unknown_language_is_refused_with_those_there_are():
     with pytest.raises(UsageError, match=re.escape(", ".join(languages()))):
         language("xx")
+
+
+def fixed_words() -> set[str]:
+    """Return the fixed words of templates and code: what stands in `t("…")`, and the tables of words."""
+    folder = PACKAGE.parent / "templates"
+    texts = [
+        path.read_text("utf-8") for path in (*folder.rglob("*.j2"), *(PACKAGE / "reporting").glob("*.py"))
+    ]
+    found = {word for text in texts for word in re.findall(r"""\bt\(\s*["']([^"']+)["']""", text)}
+    kinds = {word for pair in KINDS.values() for word in pair}
+    return found | kinds | set(CONFIDENCE) | set(CONFIDENCE.values()) | set(get_args(Measure))
+
+
+@pytest.mark.parametrize("code", [code for code in languages() if code != "en"])
+def test_a_language_has_every_fixed_word_with_its_places(code: str):
+    words = language(code).words
+    assert fixed_words() - set(words) == set()
+    assert {english for english, own in words.items() if fields(own) != fields(english)} == set()
+
+
+def made_here():
+    """Return a result of this version and its libraries, whose reports are rendered again by `verify`."""
+    packages = {"weasyprint": version("weasyprint")}
+    result = failing()
+    provenance = result.provenance.model_copy(update={"certkit": __version__, "packages": packages})
+    return result.model_copy(update={"provenance": provenance}).with_id()
+
+
+@pytest.mark.parametrize("code", languages())
+def test_a_report_in_any_language_is_verified(code: str, tmp_path: Path):
+    result = made_here()
+    written = render(result, tmp_path, "html", language=code)
+    text = written[1].read_text("utf-8")
+    assert f'<html lang="{code}">' in text
+    assert result.id in text
+    assert language(code).verdict("fail") in text
+    checks = {check.what: check.holds for check in verify(tmp_path).checks}
+    assert checks["report.html"]
+    assert checks["result.json: words"]
+
+
+@pytest.mark.parametrize("code", ["en", "de"])
+def test_a_pdf_says_its_language_and_is_verified(code: str, tmp_path: Path):
+    """Japanese as well where a font for it is installed; what happens where none is, stands below."""
+    render(made_here(), tmp_path, "pdf", language=code)
+    checks = {check.what: check.holds for check in verify(tmp_path / "report.pdf").checks}
+    assert checks["pages"]
+    assert attachments_of(tmp_path / "report.pdf").language == code
+
+
+def test_without_a_font_there_is_no_pdf_of_empty_boxes(monkeypatch: pytest.MonkeyPatch):
+    nothing = subprocess.CompletedProcess([], 0, stdout=b"")
+    monkeypatch.setattr(font_check.shutil, "which", lambda _: "/usr/bin/fc-list")
+    monkeypatch.setattr(font_check.subprocess, "run", lambda *_, **__: nothing)
+    with pytest.raises(RunError, match="fonts-noto-cjk"):
+        font_check.check_font("ja")
+    font_check.check_font("de")
