@@ -19,12 +19,12 @@ $ certkit schema result
 ```
 
 Why something is as it is stands there twice: as a code with its parameters, which programs compare
-(`coded_reason`, `coded_remarks`, `coded_notes`, `coded_title`, `coded_decision_rule`), and beside it in English
-words (`reason`, `remarks`, …; also `text` of each code). The id covers codes and parameters, not the words: it is
-the same in every language (`--language de`). Words that a user wrote are a code as well: `words`, with the text as
-its parameter. `certkit verify` checks that the words are those of the codes. In a document without codes, as
-certkit 0.1 wrote it, the id covers the words.
-""
+(`coded_reason`, `coded_remarks`, `coded_notes`, `coded_title`, `coded_decision_rule`), and in English words
+beside it (`reason`, `remarks` and so on; also `text` of each code). The id covers codes and parameters, not
+the words: it is the same in every language (`--language de`). Words that a user wrote are a code as well,
+`words`, with the text as its parameter. `certkit verify` checks that the words are those of the codes. In a
+document without codes, as certkit 0.1 wrote it, the id covers the words.
+"""
 
 OTHERS = """\
 The other documents have the same idiom: a schema, an id over their content, seven digits a number; `certkit
