@@ -262,6 +262,7 @@ REASONS = MappingProxyType(
         "sign-turned": "極性が逆のため符号を反転",
         "assumed": "{place}: {fault}。仮定: {assumption}",
         "left-out": "{fault}。仮定: {channel} は記録なし",
+        "kind-not-said": "{file} に実測かシミュレーションかの記載がないため、実測として扱いました",
         "questionable-data": "{place}: データ状態は `questionable data`",
         "recorded-twice": "{channel} は 2 回記録されています。{code} を使用",
         "data-not-usable": "{channel} は不使用: {file} のデータは使用できません",
