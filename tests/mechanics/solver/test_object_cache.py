@@ -25,8 +25,8 @@ from certkit.mechanics.solver.world import World
 
 @pytest.fixture(scope="module")
 def world():
-    site = build(load("procedure", "inverse").document, load("legform", "flex-pli-gtr").document)
-    return site.assembly.finish()
+    rig = build(load("procedure", "inverse").document, load("legform", "flex-pli-gtr").document)
+    return rig.assembly.finish()
 
 
 @pytest.fixture(scope="module")

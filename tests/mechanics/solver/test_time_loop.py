@@ -67,8 +67,8 @@ def by_public_api(world: World, step: float, steps: int) -> np.ndarray:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["pendulum", "inverse"])
 def test_compiled_and_public_loop_agree_bit_for_bit(name: str):
-    site = build(load("procedure", name).document, load("legform", "flex-pli-gtr").document)
-    world = site.assembly.finish()
+    rig = build(load("procedure", name).document, load("legform", "flex-pli-gtr").document)
+    world = rig.assembly.finish()
     steps = 1000
     ours = run_world(world, Plan(2e-5, (steps - 1) * 2e-5, 0.0, frame=1)).frames
     theirs = by_public_api(world, 2e-5, steps)
@@ -76,8 +76,8 @@ def test_compiled_and_public_loop_agree_bit_for_bit(name: str):
 
 
 def test_two_runs_are_the_same_bit_for_bit():
-    site = build(load("procedure", "inverse").document, load("legform", "flex-pli-gtr").document)
-    world = site.assembly.finish()
+    rig = build(load("procedure", "inverse").document, load("legform", "flex-pli-gtr").document)
+    world = rig.assembly.finish()
     one, two = (run_world(world, Plan(2e-5, 0.01, 0.0, frame=1)).frames for _ in range(2))
     assert np.array_equal(one, two)
 
