@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.documents.comparison import ComparisonDocument, Overlay
+    from certkit.reporting.svg import Drawing
 
 
 def render_comparison(document: ComparisonDocument, out: Path, formats: Collection[str]) -> list[Path]:
@@ -38,7 +39,7 @@ def comparison_page(document: ComparisonDocument) -> str:
     return sheet("comparison.html.j2", document.title, doc=document, drawings=drawings)
 
 
-def _overlay(overlay: Overlay, document: ComparisonDocument) -> str:
+def _overlay(overlay: Overlay, document: ComparisonDocument) -> Drawing:
     """Draw both curves and their difference."""
     count = len(overlay.reference)
     times = [(overlay.start + i * overlay.interval) * 1e3 for i in range(count)]

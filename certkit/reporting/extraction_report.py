@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
     from certkit.documents.extraction import MaterialResult, PathResult
     from certkit.identification import ExtractionResult
+    from certkit.reporting.svg import Drawing
 
 WIDTH, HEIGHT = 360.0, 220.0
 
@@ -35,7 +36,7 @@ class PathView:
     """A load path with its figures."""
 
     path: PathResult
-    drawings: list[str]
+    drawings: list[Drawing]
 
 
 def render_extraction(result: ExtractionResult, out: Path, formats: Collection[str]) -> list[Path]:
@@ -79,7 +80,7 @@ def extraction_pdf(result: ExtractionResult) -> bytes:
 EXTRACTION_FIGURES = ("momentum", "impulse", "force", "stiffness", "material")
 
 
-def extraction_drawing(result: ExtractionResult, what: str, paths: Sequence[str]) -> str | None:
+def extraction_drawing(result: ExtractionResult, what: str, paths: Sequence[str]) -> Drawing | None:
     """Draw one figure of an extraction, over all load paths that pushed or only those named.
 
     Raises
@@ -105,7 +106,7 @@ def extraction_drawing(result: ExtractionResult, what: str, paths: Sequence[str]
     return side_by_side(drawn, f"{what} of {result.title}")
 
 
-def _momentum(result: ExtractionResult, times: list[float]) -> str | None:
+def _momentum(result: ExtractionResult, times: list[float]) -> Drawing | None:
     lines: list[Line] = [(group.name, times, group.momentum) for group in result.groups]
     return lines_chart(lines, "Momentum of the groups", "ms", "N·s") if lines else None
 
@@ -120,7 +121,7 @@ def _parts(result: ExtractionResult) -> dict[str, Any]:
     }
 
 
-def _drawings(path: PathResult, times: list[float], *, head: str = "") -> list[str]:
+def _drawings(path: PathResult, times: list[float], *, head: str = "") -> list[Drawing]:
     forces: list[Line] = [("from momentum", times, path.force)]
     if path.recorded_force is not None:
         forces.append(("recorded contact", times, path.recorded_force))
@@ -139,7 +140,7 @@ def _drawings(path: PathResult, times: list[float], *, head: str = "") -> list[s
     return drawn
 
 
-def _material(material: MaterialResult) -> str:
+def _material(material: MaterialResult) -> Drawing:
     lines: list[Line] = [("extracted", material.strain, [v / 1e6 for v in material.stress])]
     if material.unloading_strain:
         unloading = _pushing(material.unloading_strain, material.unloading_stress)

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from certkit.documents.result import Result
+    from certkit.reporting.svg import Drawing
 
 What = Literal["corridor", "history", "frames", "table", "curve", "errors", "energy"]
 WHAT: tuple[str, ...] = get_args(What)
@@ -74,7 +75,7 @@ def figure(
     return painted(drawing, form)
 
 
-def painted(drawing: str, form: str) -> bytes:
+def painted(drawing: Drawing, form: str) -> bytes:
     """Return a drawing as a file of that format.
 
     Raises
@@ -85,14 +86,14 @@ def painted(drawing: str, form: str) -> bytes:
     if form not in FORMATS:
         raise UsageError(f"unknown figure format `{form}`; use {' or '.join(FORMATS)}")
     if form == "svg":
-        return (drawing + "\n").encode()
+        return f"{drawing}\n".encode()
     from certkit.reporting.raster import png  # noqa: PLC0415  # WeasyPrint and PDFium load for PNG alone
 
     return png(drawing)
 
 
-def _draw(result: Result, what: str, channels: Sequence[str]) -> str | None:
-    painters: dict[str, Callable[[], str | None]] = {
+def _draw(result: Result, what: str, channels: Sequence[str]) -> Drawing | None:
+    painters: dict[str, Callable[[], Drawing | None]] = {
         "corridor": lambda: corridors_table(result),
         "history": lambda: _histories(result, channels),
         "curve": lambda: _curves(result, channels),
@@ -104,7 +105,7 @@ def _draw(result: Result, what: str, channels: Sequence[str]) -> str | None:
     return painters[what]()
 
 
-def _stacked(result: Result, beside: Result) -> str | None:
+def _stacked(result: Result, beside: Result) -> Drawing | None:
     """Draw the key frames of both, one row each, at the same instants."""
     first, second = result.motion, beside.motion
     if not (first and first.poses and second and second.poses):
@@ -119,7 +120,7 @@ def _stacked(result: Result, beside: Result) -> str | None:
     return sheet(rows, f"{result.title} and {beside.title} at the same instants", columns=1)
 
 
-def _overlaid(result: Result, beside: Result, channels: Sequence[str]) -> str | None:
+def _overlaid(result: Result, beside: Result, channels: Sequence[str]) -> Drawing | None:
     """Draw the channels that both have, over each other."""
     first, second = result.curves, beside.curves
     if first is None or second is None:
@@ -143,7 +144,7 @@ def _overlaid(result: Result, beside: Result, channels: Sequence[str]) -> str | 
     return drawn[0] if len(drawn) == 1 else sheet(drawn, f"{result.title} and {beside.title}")
 
 
-def _histories(result: Result, channels: Sequence[str]) -> str | None:
+def _histories(result: Result, channels: Sequence[str]) -> Drawing | None:
     curves = result.curves
     if curves is None or curves.count < 2:
         return None
@@ -154,7 +155,7 @@ def _histories(result: Result, channels: Sequence[str]) -> str | None:
     return drawings[0] if len(drawings) == 1 else sheet(drawings, f"Time histories of {result.title}")
 
 
-def _curves(result: Result, channels: Sequence[str]) -> str | None:
+def _curves(result: Result, channels: Sequence[str]) -> Drawing | None:
     known = {c.id: c for c in result.criteria if c.curve}
     _check(channels, list(known))
     drawings = [plane_chart(c.curve, c.title) for name in (channels or known) if (c := known[name]).curve]

@@ -11,7 +11,7 @@ from certkit.reporting import palette
 from certkit.reporting.number_format import named, plain
 from certkit.reporting.scales import Scale, span, ticks
 from certkit.reporting.static_page import sheet
-from certkit.reporting.svg import label, path, picture, tag
+from certkit.reporting.svg import Drawing, label, path, tag
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
@@ -47,7 +47,7 @@ def logbook_page(legs: Sequence[LegOverview]) -> str:
     return sheet("logbook.html.j2", title, legs=shown)
 
 
-def control_chart(trend: Trend) -> str:
+def control_chart(trend: Trend) -> Drawing:
     """Draw a channel's values over the tests, with corridor, control limits and drift."""
     values = span([*trend.values, trend.lower, trend.upper, trend.control_lower, trend.control_upper])
     days = [float(date.fromisoformat(day).toordinal()) for day in trend.days]
@@ -87,7 +87,7 @@ def control_chart(trend: Trend) -> str:
     for edge, written, anchor in ((x.start, trend.days[0], "start"), (x.end, trend.days[-1], "end")):
         drawn += label(edge, HEIGHT - 10, written, text_anchor=anchor, fill=palette.MUTED, class_="tick")
     alternative = f"{title}: {trend.count} values, mean {plain(trend.mean, 4)} {trend.unit}; {trend.remark}"
-    return picture(WIDTH, HEIGHT, drawn, alternative)
+    return Drawing(WIDTH, HEIGHT, drawn, alternative)
 
 
 def _corridor(trend: Trend, x: Scale, y: Scale) -> str:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from datetime import datetime
 
     from certkit.reporting.attachments import Enclosure
+    from certkit.reporting.svg import Drawing
 
 
 def typeset(html: str, enclosed: Sequence[Enclosure], created: datetime) -> bytes:
@@ -117,20 +118,17 @@ def _finish(document: Any, pdf: Any) -> None:  # noqa: ANN401  # likewise
         pdf.catalog["AF"] = pydyf.Array(dict.fromkeys(pdf.catalog["AF"]))
 
 
-def pdf_of_drawing(drawing: str, width: float, height: float) -> bytes:
+def pdf_of_drawing(drawing: Drawing) -> bytes:
     """Return one of our SVG drawings as a page of exactly its size, set in the shipped font.
 
     Parameters
     ----------
-    drawing : str
-        SVG from `certkit.reporting.charts`.
-    width, height : float
-        Its size in CSS pixels.
+    drawing : Drawing
+        From `certkit.reporting.charts`; its size is in CSS pixels.
     """
     module = weasyprint()
-    size = (
-        f"@page {{ size: {width:g}px {height:g}px; margin: 0 }} body {{ margin: 0 }} svg {{ display: block }}"
-    )
+    page = f"@page {{ size: {drawing.width:g}px {drawing.height:g}px; margin: 0 }}"
+    size = f"{page} body {{ margin: 0 }} svg {{ display: block }}"
     faces = "".join(
         line for line in text("styles/certificate.css").splitlines() if line.startswith("@font-face")
     )

@@ -7,22 +7,22 @@ the system's Cairo, matplotlib cannot read SVG; pypdfium2 is one wheel without d
 from __future__ import annotations
 
 import io
-import re
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from certkit.reporting.pdf_engine import pdf_of_drawing
+
+if TYPE_CHECKING:
+    from certkit.reporting.svg import Drawing
 
 SCALE = 3.0
 """Pixels for each pixel of the drawing: 288 dots an inch."""
 
 
-def png(drawing: str) -> bytes:
+def png(drawing: Drawing) -> bytes:
     """Paint a drawing on white."""
     import pypdfium2  # noqa: PLC0415  # only where a PNG is wanted
 
-    match = re.search(r'width="([\d.]+)" height="([\d.]+)"', drawing)
-    width, height = (float(match.group(1)), float(match.group(2))) if match else (640.0, 480.0)
-    document: Any = pypdfium2.PdfDocument(pdf_of_drawing(drawing, width, height))
+    document: Any = pypdfium2.PdfDocument(pdf_of_drawing(drawing))
     # A PDF's unit is 1/72 inch, a CSS pixel 1/96.
     image = document[0].render(scale=SCALE * 96 / 72).to_pil()
     stream = io.BytesIO()

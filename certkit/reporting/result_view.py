@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from certkit.documents.result import CriterionResult, Result
+    from certkit.reporting.svg import Drawing
 
 KINDS = {
     "virtual certification": ("Virtual certification of the model", "simulated test"),
@@ -38,7 +39,7 @@ class Row:
     value: str
     unit: str
     corridor: str
-    bar: str | None
+    bar: Drawing | None
     margin: str
     time: str
     verdict: str
@@ -53,12 +54,12 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Drawing:
+class LinkedDrawing:
     """A figure with the key that links point to."""
 
     key: str
     name: str
-    svg: str
+    svg: Drawing
     criterion: str | None = None
 
 
@@ -84,12 +85,12 @@ class View:
     nearest_words: str
     rows: list[Row]
     sources: list[str]
-    histories: list[Drawing]
-    planes: list[Drawing]
-    spark: str | None
-    frames: str | None
-    errors: str | None
-    energies: str | None
+    histories: list[LinkedDrawing]
+    planes: list[LinkedDrawing]
+    spark: Drawing | None
+    frames: Drawing | None
+    errors: Drawing | None
+    energies: Drawing | None
     laboratory: LaboratoryView | None
     specimen: list[tuple[str, str]]
     numbers: list[NumberGroup]
@@ -210,7 +211,7 @@ def view(result: Result, *, suffix: str = "", spoken: str = ENGLISH) -> View:
     drawable = curves is not None and curves.count > 1
     histories = (
         [
-            Drawing(
+            LinkedDrawing(
                 f"{key}-chart-{slug(name)}",
                 name,
                 history_chart(curves, name, c),
@@ -222,7 +223,7 @@ def view(result: Result, *, suffix: str = "", spoken: str = ENGLISH) -> View:
         else []
     )
     planes = [
-        Drawing(f"{key}-chart-{slug(_target(c))}", c.id, plane_chart(c.curve, c.title), c.id)
+        LinkedDrawing(f"{key}-chart-{slug(_target(c))}", c.id, plane_chart(c.curve, c.title), c.id)
         for c in result.criteria
         if c.curve
     ]

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from certkit.documents.optimum_report import OptimumReport
     from certkit.documents.rounding import FigureOrWord
     from certkit.documents.study_report import Cloud, StudyReport, VariedParameter
+    from certkit.reporting.svg import Drawing
 
 
 def render_study(document: StudyReport, out: Path, formats: Collection[str]) -> list[Path]:
@@ -72,7 +73,7 @@ def _section(document: StudyReport, output: str) -> dict[str, Any]:
     }
 
 
-def _cloud(cloud: Cloud, title: str, units: dict[str, str]) -> str:
+def _cloud(cloud: Cloud, title: str, units: dict[str, str]) -> Drawing:
     axes = (_with_unit(cloud.x_name, units), _with_unit(cloud.y_name, units))
     return dots(cloud.x, cloud.y, title, axes, cloud.line)
 

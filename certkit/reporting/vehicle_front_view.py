@@ -9,6 +9,7 @@ from certkit.reporting.charts.lines import lines_chart
 
 if TYPE_CHECKING:
     from certkit.documents.result import Front, Histories
+    from certkit.reporting.svg import Drawing
 
 WIDTH, HEIGHT = 360.0, 220.0
 
@@ -17,9 +18,9 @@ WIDTH, HEIGHT = 360.0, 220.0
 class FrontView:
     """Drawings of a front, and its energies: (what, J received from the leg or absorbed), largest first."""
 
-    contact: str
-    displacement: str
-    springs: list[str]
+    contact: Drawing
+    displacement: Drawing
+    springs: list[Drawing]
     received: list[tuple[str, float]]
     absorbed: list[tuple[str, float]]
 
@@ -47,7 +48,7 @@ def front_view(front: Front | None) -> FrontView | None:
     )
 
 
-def _over_time(histories: Histories, title: str) -> str:
+def _over_time(histories: Histories, title: str) -> Drawing:
     axis = [(histories.start + k * histories.interval) * 1e3 for k in range(histories.count)]
     lines = [(s.title, axis, s.values) for s in histories.series.values()]
     unit = next(iter(histories.series.values())).unit

@@ -12,10 +12,12 @@ from certkit.documents.result import CriterionResult, Result
 from certkit.errors import UsageError
 from certkit.reporting import figure, palette
 from certkit.reporting.charts.channel_history import history_chart
+from certkit.reporting.charts.grid import sheet
 from certkit.reporting.charts.motion_frames import key_frames
 from certkit.reporting.charts.position import position_bar
 from certkit.reporting.figures import WHAT
 from certkit.reporting.scales import Scale, span, thinned, ticks
+from certkit.reporting.svg import Drawing
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -189,3 +191,11 @@ def test_frames_of_two_results_stand_at_the_same_instants(pendulum: Result, bend
 def test_only_figures_with_a_time_axis_take_a_second_result(pendulum: Result) -> None:
     with pytest.raises(UsageError, match="cannot show two results"):
         figure(pendulum, "table", beside=pendulum)
+
+
+def test_a_drawing_placed_in_another_keeps_its_size():
+    small = Drawing(30.0, 20.0, "", "small & round")
+    first, second = parsed(sheet([small, small], "two")).findall("{*}svg")
+    assert [(e.get("width"), e.get("height"), e.get("y")) for e in (first, second)] == [("30", "20", "0")] * 2
+    assert float(second.get("x")) >= float(first.get("x")) + 30.0
+    assert first.get("aria-label") == "small & round"

@@ -114,7 +114,7 @@ def test_a_path_that_never_pushed_is_listed_but_not_drawn(extraction: Extraction
 
 @pytest.mark.parametrize("what", EXTRACTION_FIGURES)
 def test_each_figure_of_the_paper_can_be_drawn(extraction: ExtractionResult, what: str) -> None:
-    drawing = extraction_drawing(extraction, what, [])
+    drawing = str(extraction_drawing(extraction, what, []))
     assert drawing
     assert any(CURVE_CLASS in (e.get("class") or "") for e in parsed(drawing).iter())
 

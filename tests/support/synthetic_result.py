@@ -8,6 +8,7 @@ from typing import Any
 from xml.etree import ElementTree as ET
 
 from certkit.documents.result import Result
+from certkit.reporting.svg import Drawing
 
 CORRIDORS = {
     "T1": ("Tibia moment 1", "N·m", 235.0, 272.0, 253.4, 0.0231),
@@ -366,6 +367,6 @@ def laboratory_result() -> Result:
     return Result.model_validate(laboratory_document())
 
 
-def parsed(xml: str | bytes) -> ET.Element:
+def parsed(xml: str | bytes | Drawing) -> ET.Element:
     """Parse what certkit itself has written."""
-    return ET.fromstring(xml)  # noqa: S314  # our own output
+    return ET.fromstring(xml if isinstance(xml, bytes) else str(xml))  # noqa: S314  # our own output

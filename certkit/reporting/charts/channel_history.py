@@ -8,7 +8,7 @@ from certkit.reporting import palette
 from certkit.reporting.charts.axes import Frame
 from certkit.reporting.number_format import criterion_decimals, fixed, milliseconds, named
 from certkit.reporting.scales import span, thinned
-from certkit.reporting.svg import label, path, picture, tag
+from certkit.reporting.svg import Drawing, label, path, tag
 
 if TYPE_CHECKING:
     from certkit.documents.result import CriterionResult, Histories, Series
@@ -59,7 +59,7 @@ def history_chart(
     *,
     width: float = 360,
     height: float = 200,
-) -> str:
+) -> Drawing:
     """Draw one channel of `histories`; with a criterion also its corridor and peak."""
     series = histories.series[name]
     axis = times(histories)
@@ -86,7 +86,7 @@ def history_chart(
     if criterion and criterion.value is not None:
         words += f"; value {fixed(criterion.value, criterion_decimals(criterion))} {criterion.unit}"
         words += f" at {milliseconds(criterion.time)} ms" if criterion.time is not None else ""
-    return picture(width, height, drawn, words)
+    return Drawing(width, height, drawn, words)
 
 
 def _band(frame: Frame, criterion: CriterionResult | None, limits: list[float]) -> str:

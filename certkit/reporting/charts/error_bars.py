@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting.charts.axes import Frame
 from certkit.reporting.number_format import fixed
-from certkit.reporting.svg import label, picture, tag
+from certkit.reporting.svg import Drawing, label, tag
 
 if TYPE_CHECKING:
     from certkit.documents.result import Comparison
@@ -18,7 +18,7 @@ _FILLS = (
 )
 
 
-def errors_chart(comparison: Comparison, *, width: float = 740, height: float = 230) -> str:
+def errors_chart(comparison: Comparison, *, width: float = 740, height: float = 230) -> Drawing:
     """Draw grouped bars with this simulation's error above each group."""
     rows = comparison.rows
     values = [v for r in rows for v in (r.test, r.simulation, r.published) if v is not None]
@@ -61,7 +61,7 @@ def errors_chart(comparison: Comparison, *, width: float = 740, height: float = 
         drawn += tag("rect", x=left, y=5, width=11, height=11, fill=fill, class_=css)
         drawn += label(left + 16, 14, name, class_="key")
         left += 16 + 6.4 * len(name) + 16
-    return picture(width, height, drawn, "Peaks of test and simulation, channel by channel")
+    return Drawing(width, height, drawn, "Peaks of test and simulation, channel by channel")
 
 
 def _strip_ticks(axes: str) -> str:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.axes import Frame
 from certkit.reporting.scales import span, traced
-from certkit.reporting.svg import label, path, picture, tag
+from certkit.reporting.svg import Drawing, label, path, tag
 
 if TYPE_CHECKING:
     from certkit.documents.result import Histories
@@ -20,7 +20,7 @@ Line = tuple[str, Sequence[float], Sequence[float]]
 
 def lines_chart(
     lines: Sequence[Line], title: str, x_title: str, unit: str, *, width: float = 740, height: float = 230
-) -> str:
+) -> Drawing:
     """Draw lines with a legend to the right of the title.
 
     Parameters
@@ -66,7 +66,7 @@ def lines_chart(
             class_=css,
         )
         drawn += label(place + 27, line + 4, name, class_="key")
-    return picture(width, height, drawn, f"{title} in {unit}: " + ", ".join(name for name, _, _ in lines))
+    return Drawing(width, height, drawn, f"{title} in {unit}: " + ", ".join(name for name, _, _ in lines))
 
 
 def _legend(lines: Sequence[Line], title: str, width: float) -> list[tuple[int, float]]:
@@ -83,7 +83,7 @@ def _legend(lines: Sequence[Line], title: str, width: float) -> list[tuple[int, 
     return found
 
 
-def energies_chart(energies: Histories) -> str | None:
+def energies_chart(energies: Histories) -> Drawing | None:
     """Draw where the energy went; forms that stay under a hundredth of the largest are named, not drawn."""
     if energies.count < 2 or not energies.series:
         return None
@@ -97,4 +97,4 @@ def energies_chart(energies: Histories) -> str | None:
     title = "Energy"
     drawing = lines_chart(lines, title, "ms", next(iter(energies.series.values())).unit)
     note = f"{title} in J; under one hundredth of the largest and not drawn: {', '.join(small)}"
-    return drawing.replace("<title>", f"<title>{escape(note)}; ", 1) if small else drawing
+    return replace(drawing, title=f"{note}; {drawing.title}") if small else drawing

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from certkit.reporting import palette
 from certkit.reporting.number_format import fixed, plain
 from certkit.reporting.scales import Scale
-from certkit.reporting.svg import label, path, picture, tag
+from certkit.reporting.svg import Drawing, label, path, tag
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -100,7 +100,7 @@ def draw_frame(motion: Motion, frame: int, x: Scale, y: Scale) -> str:
 
 def frames_chart(
     motion: Motion, frames: Sequence[int] | None = None, *, width: float = 740, most: int = 6
-) -> str:
+) -> Drawing:
     """Draw the key frames side by side at one scale, with their times and a colour key."""
     frames = key_frames(motion, most) if frames is None else frames
     left, right, low, high = bounds(motion, frames)
@@ -121,7 +121,7 @@ def frames_chart(
         drawn += colour_key(motion, 6, total + 6, 180)
         total += 32
     listed = ", ".join(fixed(motion.times[f] * 1e3, 1) for f in frames)
-    return picture(width, total, drawn, f"Legform and rig at {listed} ms, coloured by bending moment")
+    return Drawing(width, total, drawn, f"Legform and rig at {listed} ms, coloured by bending moment")
 
 
 def colour_key(motion: Motion, x: float, y: float, width: float) -> str:

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 from certkit.reporting import palette
 from certkit.reporting.charts.axes import Frame
 from certkit.reporting.scales import span
-from certkit.reporting.svg import label, path, picture, tag
+from certkit.reporting.svg import Drawing, label, path, tag
 
 if TYPE_CHECKING:
     from certkit.documents.result import CurveInPlane
 
 
-def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: float = 240) -> str:
+def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: float = 240) -> Drawing:
     """Draw it."""
     everything = [*curve.points, *(curve.polygon or [])]
     x = span([0.0, *(p[0] for p in everything)], margin=0.05)
@@ -59,4 +59,4 @@ def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: 
             class_="tick",
         )
     words = f"{curve.y_title} in {curve.y_unit} over {curve.x_title} in {curve.x_unit}"
-    return picture(width, height, drawn, words)
+    return Drawing(width, height, drawn, words)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from certkit.reporting import palette
 from certkit.reporting.number_format import corridor, fixed
 from certkit.reporting.scales import Scale
-from certkit.reporting.svg import path, picture, tag
+from certkit.reporting.svg import Drawing, path, tag
 
 if TYPE_CHECKING:
     from certkit.documents.result import CriterionResult
@@ -30,7 +30,7 @@ def _range(criterion: CriterionResult) -> tuple[float, float] | None:
     return None
 
 
-def position_bar(criterion: CriterionResult, decimals: int) -> str | None:
+def position_bar(criterion: CriterionResult, decimals: int) -> Drawing | None:
     """Draw it, or return None where there is no value or no scalar corridor.
 
     The corridor fills the middle half of the bar. A value beyond the bar's ends becomes an arrow at the end.
@@ -73,7 +73,7 @@ def position_bar(criterion: CriterionResult, decimals: int) -> str | None:
     drawn += [_whisker(scale, *pair) for pair in _intervals(criterion)]
     drawn.append(_pointer(scale(value), palette.VERDICT[criterion.verdict], criterion.verdict))
     words = f"{fixed(value, decimals)} {criterion.unit} in {corridor(criterion.lower, criterion.upper)}"
-    return picture(WIDTH, HEIGHT, "".join(drawn), words, css_class="bar")
+    return Drawing(WIDTH, HEIGHT, "".join(drawn), words, css_class="bar")
 
 
 def _intervals(criterion: CriterionResult) -> list[tuple[float, float]]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.reporting import palette
 from certkit.reporting.charts.channel_history import limits_of, peak_of, times
 from certkit.reporting.scales import Scale, span, thinned
-from certkit.reporting.svg import path, picture, tag
+from certkit.reporting.svg import Drawing, path, tag
 
 if TYPE_CHECKING:
     from certkit.documents.result import CriterionResult, Result
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 WIDTH, HEIGHT = 132.0, 34.0
 
 
-def sparkline(result: Result, criterion: CriterionResult | None) -> str | None:
+def sparkline(result: Result, criterion: CriterionResult | None) -> Drawing | None:
     """Draw the criterion's curve, over time or in its plane; None where neither was recorded."""
     if criterion is None:
         return None
@@ -35,7 +35,7 @@ def _draw(
     limits: list[float],
     peak: tuple[float, float] | None,
     criterion: CriterionResult,
-) -> str:
+) -> Drawing:
     x = Scale(*span([p[0] for p in points], margin=0.01), 3, WIDTH - 3)
     y = Scale(*span([*(p[1] for p in points), *limits, 0.0]), HEIGHT - 3, 3)
     drawn = ""
@@ -71,4 +71,4 @@ def _draw(
         colour = palette.VERDICT[criterion.verdict]
         css = "v-" + criterion.verdict.replace(" ", "-")
         drawn += tag("circle", cx=x(peak[0]), cy=y(peak[1]), r=2.6, fill=colour, class_=css)
-    return picture(WIDTH, HEIGHT, drawn, f"curve of {criterion.id}", css_class="spark")
+    return Drawing(WIDTH, HEIGHT, drawn, f"curve of {criterion.id}", css_class="spark")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting.palette import ACCENT, GRID, INK, LINE, MUTED, PENS
 from certkit.reporting.scales import Scale, span, ticks
-from certkit.reporting.svg import label, number, picture, tag
+from certkit.reporting.svg import Drawing, label, number, tag
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -17,7 +17,7 @@ NAMES = 250.0
 FIGURES = 70.0  # room for the numbers at the right
 
 
-def tornado(rows: Sequence[tuple[str, float, float | None, float | None]], title: str, unit: str) -> str:
+def tornado(rows: Sequence[tuple[str, float, float | None, float | None]], title: str, unit: str) -> Drawing:
     """Draw one bar a parameter from zero to its effect, the longest on top, with its interval as a whisker.
 
     Parameters
@@ -63,7 +63,7 @@ def tornado(rows: Sequence[tuple[str, float, float | None, float | None]], title
             (NAMES + WIDTH - FIGURES) / 2, height - 4, f"change over the range, {unit}", text_anchor="middle"
         )
     )
-    return picture(WIDTH, height, "".join(parts), title)
+    return Drawing(WIDTH, height, "".join(parts), title)
 
 
 def dots(
@@ -72,7 +72,7 @@ def dots(
     title: str,
     names: tuple[str, str],
     line: Sequence[tuple[float, float]] = (),
-) -> str:
+) -> Drawing:
     """Draw a cloud of runs, and a line through some of them.
 
     Parameters
@@ -110,4 +110,4 @@ def dots(
         parts.append(tag("path", d=data, fill="none", stroke=ACCENT, stroke_width=1.6))
     parts.append(label((left + width) / 2, bottom + 30, names[0], text_anchor="middle", font_size="10"))
     parts.append(label(left, 14.0, names[1], font_size="10", fill=INK))
-    return picture(width, height, "".join(parts), title)
+    return Drawing(width, height, "".join(parts), title)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.reporting import palette
 from certkit.reporting.charts.position import HEIGHT, position_bar
 from certkit.reporting.number_format import SIGNS, corridor, criterion_decimals, fixed, named, shown
-from certkit.reporting.svg import label, number, picture, tag
+from certkit.reporting.svg import Drawing, label, tag
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 ROW = 30.0
 
 
-def corridors_table(result: Result) -> str:
+def corridors_table(result: Result) -> Drawing:
     """Draw each criterion with its value, corridor, and the bar that shows where it lies."""
     rows = result.criteria
     width, height = 640.0, 40 + ROW * len(rows)
@@ -34,14 +34,14 @@ def corridors_table(result: Result) -> str:
         )
         bar = position_bar(criterion, decimals)
         if bar:
-            drawn += bar.replace("<svg ", f'<svg x="380" y="{number(middle - HEIGHT / 2 - 2)}" ', 1)
+            drawn += bar.svg(x=380, y=middle - HEIGHT / 2 - 2)
         words = f"{SIGNS[criterion.verdict]} {criterion.verdict}" if criterion.graded else "shown only"
         colour = palette.VERDICT[criterion.verdict] if criterion.graded else palette.MUTED
         drawn += label(545, middle + 4, words, font_weight="600" if criterion.graded else None, fill=colour)
-    return picture(width, height, drawn, f"Criteria of {result.title} in their corridors")
+    return Drawing(width, height, drawn, f"Criteria of {result.title} in their corridors")
 
 
-def errors_table(comparison: Comparison) -> str:
+def errors_table(comparison: Comparison) -> Drawing:
     """Draw the error table as the paper prints it: channels across, test, simulations and errors down."""
     published = any(row.published is not None for row in comparison.rows)
     lines: list[tuple[str, Sequence[str]]] = [
@@ -75,7 +75,7 @@ def errors_table(comparison: Comparison) -> str:
             drawn += label(first + cell * (place + 1) - 12, y + 19, words, text_anchor="end")
     height = 52 + ROW * len(lines) + 2
     drawn += _rule(height - 2, width)
-    return picture(width, height, drawn, f"Error table against {comparison.reference}")
+    return Drawing(width, height, drawn, f"Error table against {comparison.reference}")
 
 
 def _signed(value: float | None) -> str:
