@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import errno
 import gc
 import os
 import sys
@@ -30,7 +31,8 @@ from certkit.cli import (
     validate_command,
     verify_command,
 )
-from certkit.errors import CertkitError, OldFormWarning
+from certkit.cli.output_streams import end_streams, guard_streams
+from certkit.errors import CertkitError, OldFormWarning, UsageError
 
 app = typer.Typer(
     name="certkit",
@@ -112,6 +114,25 @@ def _tell_remark(  # the signature of `warnings.showwarning`
     typer.echo(text, file=file or sys.stderr)
 
 
+def _words_of(error: OSError) -> str:
+    """Say what could not be read or written, and what to do."""
+    remedies = {
+        errno.ENOSPC: "make room, or name another folder with `--out`",
+        errno.EDQUOT: "make room, or name another folder with `--out`",
+        errno.EROFS: "name another folder with `--out`",
+        errno.EACCES: "ask for the right to it, or name another place",
+        errno.EPERM: "ask for the right to it, or name another place",
+        errno.ENAMETOOLONG: "take a shorter name",
+        errno.ENOTDIR: "a file stands where a folder should be; name another",
+        errno.EEXIST: "a file stands where a folder should be; name another",
+        errno.EISDIR: "a folder stands where a file should be; name another",
+        errno.ENOENT: "check the path",
+    }
+    place = f"{str(error.filename)[:200]}: " if error.filename else ""
+    remedy = remedies.get(error.errno or 0, "check the place, and try again")
+    return f"{place}{error.strerror or error}; {remedy}"
+
+
 def main() -> None:
     """Run the command line and end with the contract's exit code."""
     # Imports and documents are many objects and hardly any garbage: to look for it every 700 costs 100 ms.
@@ -119,16 +140,16 @@ def main() -> None:
     # Nor are pydantic's plugins wanted, which it looks for among all packages that are installed: 10 ms.
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
     warnings.showwarning = _tell_remark
+    guard_streams()
     try:
         _app_for(sys.argv[1] if len(sys.argv) > 1 else "")()
     except CertkitError as error:
         for line in str(error).splitlines():
             typer.echo(f"error: {line}", err=True)
         sys.exit(error.exit_code)
-    except BrokenPipeError:
-        # The reader of our output has seen enough (`certkit list | head`); it expects us to close quietly.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(0)
+    except OSError as error:
+        typer.echo(f"error: {_words_of(error)}", err=True)
+        sys.exit(UsageError.exit_code)
     except Exception:  # noqa: BLE001  # Python's own exit code for a crash would read as the verdict `fail`
         traceback.print_exc()
         typer.echo(
@@ -139,4 +160,5 @@ def main() -> None:
         typer.echo("interrupted; nothing half-written is left behind", err=True)
         sys.exit(130)
     finally:
+        end_streams()
         gc.freeze()  # no last look for garbage in a process that ends

@@ -117,7 +117,8 @@ def show(results: Sequence[Result], *, as_json: bool, folder: Path) -> None:
         from certkit.reporting.markdown import github_annotations  # noqa: PLC0415  # only there
 
         for line in github_annotations(results):
-            typer.echo(line)
+            tell = getattr(sys.stdout, "command", None) or typer.echo
+            tell(line)
 
 
 def exit_code(

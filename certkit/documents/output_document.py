@@ -17,6 +17,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from certkit.documents.wording import without_words
 from certkit.errors import DataError
 from certkit.files import write_whole
+from certkit.plain_text import odd_character_in_json
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -106,6 +107,9 @@ class OutputDocument(Part):
         """
         name = name or cls.file_name
         check_size(len(content), name)
+        text = content if isinstance(content, str) else content.decode("utf-8", errors="replace")
+        if odd := odd_character_in_json(text):
+            raise DataError(f"{name}: holds the control character U+{ord(odd):04X}; certkit writes none")
         try:
             return cls.model_validate_json(content)
         except ValidationError as error:

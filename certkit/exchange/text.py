@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 
 from certkit.errors import DataError
+from certkit.plain_text import odd_character
 
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8-sig"),
@@ -42,7 +43,14 @@ def decode(data: bytes, place: str, encoding: str | None = None) -> tuple[str, s
             line = data[: error.start].count(b"\n") + 1
             raise DataError(f"{place}:{line}: not {found} text, as the start of the file says") from error
         text, found = _windows(data, place), "cp1252"
-    return text.replace("\r\n", "\n").replace("\r", "\n"), found
+    text = text.replace("\r\n", "\n").replace("\r", "\n").removesuffix("\x1a")  # DOS ends a file so
+    odd = odd_character(text)
+    if odd is not None:
+        line = text[: text.index(odd)].count("\n") + 1
+        raise DataError(
+            f"{place}:{line}: the control character U+{ord(odd):04X}, which hides columns; remove it"
+        )
+    return text, found
 
 
 def _windows(data: bytes, place: str) -> str:

@@ -14,6 +14,7 @@ import yaml
 
 from certkit.definitions.loading.yaml_scalars import plain_scalar
 from certkit.errors import DefinitionError, Problem
+from certkit.plain_text import odd_character
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -210,6 +211,7 @@ class _Reader:
             self.problems.append(self._problem(event, f"the tag `{event.tag}` is not used here; remove it"))
         before = self.nodes
         if isinstance(event, yaml.ScalarEvent):
+            self._refuse_odd_characters(event)
             data: Any = plain_scalar(event.value) if event.implicit[0] else event.value
         elif isinstance(event, yaml.SequenceStartEvent):
             data = self._list(steps)
@@ -218,6 +220,14 @@ class _Reader:
         if event.anchor is not None:
             self.anchors[event.anchor] = (data, self.nodes - before + 1)
         return data
+
+    def _refuse_odd_characters(self, event: Any) -> None:  # noqa: ANN401  # as above
+        odd = odd_character(event.value)
+        if odd is not None:
+            message = (
+                f"holds the control character U+{ord(odd):04X}; terminals and reports break on it: remove it"
+            )
+            self.problems.append(self._problem(event, message))
 
     def _list(self, steps: Steps) -> list[Any]:
         items: list[Any] = []
@@ -231,6 +241,7 @@ class _Reader:
             if not isinstance(event, yaml.ScalarEvent):
                 raise self._stop(event, "a key has to be a word")
             self._count(1, event)
+            self._refuse_odd_characters(event)
             key, path = event.value, (*steps, event.value)
             if key in entries:
                 first = self.keys[path][0]
