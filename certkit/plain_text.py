@@ -1,4 +1,4 @@
-"""Characters that no text from a file may bring along: they steer terminals, break XML or hide what is there."""
+"""Characters that no text from a file may bring along: they steer terminals, break XML or hide things."""
 
 from __future__ import annotations
 
