@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from certkit.bench.regrade import embedded_shelf
 from certkit.bench.sources import Source, load_source
 from certkit.definitions.channel_mapping import Mapping
+from certkit.definitions.loading.channel_tables import all_channels
 from certkit.definitions.loading.library import load, shelves
 from certkit.definitions.loading.validation import read_document
 from certkit.documents.comparison import Side
@@ -57,8 +58,8 @@ def compare(
     DataError
         When a source cannot be read, or they share nothing.
     """
-    own = read_document(Path(mapping), Mapping) if mapping is not None else None
-    first, second = (load_source(source, own, lenient=lenient) for source in (a, b))
+    own = read_document(Path(mapping), Mapping, all_channels(library)) if mapping is not None else None
+    first, second = (load_source(source, own, lenient=lenient, library=library) for source in (a, b))
     sheet = _procedure(procedure, (first, second), library)
     if first.recording.kind == "simulated" and second.recording.kind == "measured":
         first, second = second, first

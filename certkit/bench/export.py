@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from certkit.bench.sources import load_source
 from certkit.definitions.channel_mapping import Mapping
+from certkit.definitions.loading.channel_tables import all_channels
 from certkit.definitions.loading.validation import read_document
 from certkit.errors import UsageError
 from certkit.exchange.channels_csv import write_csv
@@ -15,11 +16,18 @@ from certkit.exchange.mme_write import write_mme
 from certkit.reporting.language import worded_reasons
 
 if TYPE_CHECKING:
+    from certkit.definitions.loading.library import Library
     from certkit.documents.result import Result
     from certkit.signals import Recording
 
 
-def export(source: str | Path | Result, target: str | Path, *, mapping: str | Path | None = None) -> Path:
+def export(
+    source: str | Path | Result,
+    target: str | Path,
+    *,
+    mapping: str | Path | None = None,
+    library: Library = (),
+) -> Path:
     """Write a recording as ISO-MME folder, archive (`.zip`) or CSV (`.csv`), as the target's name says.
 
     Parameters
@@ -30,6 +38,8 @@ def export(source: str | Path | Result, target: str | Path, *, mapping: str | Pa
         What is written; a folder must be new.
     mapping : str or Path, optional
         Mapping file with a laboratory's own ISO-MME codes to write with.
+    library : str, Path, or sequence of them
+        Folders with own legforms.
 
     Returns
     -------
@@ -44,12 +54,10 @@ def export(source: str | Path | Result, target: str | Path, *, mapping: str | Pa
         When the target's name ends in something else, or its folder exists.
     """
     target = Path(target)
-    own = read_document(Path(mapping), Mapping) if mapping is not None else None
+    own = read_document(Path(mapping), Mapping, all_channels(library)) if mapping is not None else None
     if target.suffix.lower() not in {"", ".csv", ".zip"}:
         raise UsageError(f"{target}: name a folder (ISO-MME), a .zip (ISO-MME archive) or a .csv file")
-    loaded = load_source(source)
-    target = Path(target)
-    own = read_document(Path(mapping), Mapping) if mapping is not None else None
+    loaded = load_source(source, library=library)
     if target.suffix.lower() == ".csv":
         write_csv(loaded.recording, target)
         return target

@@ -19,6 +19,7 @@ from certkit.reasons import Reason
 from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
+    from certkit.definitions.channels import ChannelTable
     from certkit.definitions.loading.library import Library
     from certkit.definitions.loading.overrides import Overrides
     from certkit.documents.result import Result
@@ -64,12 +65,13 @@ def grade(
         When the data cannot.
     """
     setup = _without_model(prepare(procedure, library=library, overrides=overrides))
+    channels = setup.legform.channel_table
     data = Path(data)
-    own, mapping_input = _mapping(None if mapping is None else Path(mapping))
+    own, mapping_input = _mapping(None if mapping is None else Path(mapping), channels)
     if (data / "result.json").is_file():
         data = data / "channels.csv"  # the folder of a run
-    read = read_recording(data, own, lenient=lenient)
-    lab = read_laboratory(laboratory) if laboratory else NO_LABORATORY
+    read = read_recording(data, own, lenient=lenient, tables=(channels,))
+    lab = read_laboratory(laboratory, channels) if laboratory else NO_LABORATORY
     conditions = merged_conditions(read.recording.conditions, lab.conditions)
     files = (
         InputFile(role="recording", path=_shown(data, file.name), sha256=file.sha256) for file in read.files
@@ -86,19 +88,19 @@ def grade(
 
 
 def _without_model(setup: Setup) -> Setup:
-    """Leave out the numbers of the simulated leg and car."""
+    """Leave out the numbers of the simulated leg and car; the legform's file stays, for its channels."""
     return replace(
         setup,
-        inputs=tuple(item for item in setup.inputs if item.role not in _OF_THE_MODEL),
+        inputs=tuple(item for item in setup.inputs if item.role != "vehicle"),
         parameters=tuple(p for p in setup.parameters if not p.path.startswith(_OF_THE_MODEL)),
     )
 
 
-def _mapping(path: Path | None) -> tuple[Mapping | None, list[InputFile]]:
+def _mapping(path: Path | None, channels: ChannelTable) -> tuple[Mapping | None, list[InputFile]]:
     if path is None:
         return None, []
     data = read_bytes(path)
-    mapping = validate(read_tree(data, str(path)), Mapping)
+    mapping = validate(read_tree(data, str(path)), Mapping, channels=channels)
     digest = hashlib.sha256(data).hexdigest()
     return mapping, [InputFile(role="mapping", path=path.name, sha256=digest, text=data.decode("utf-8-sig"))]
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.definitions.laboratory import Laboratory
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.result import InputFile, PreconditionResult
@@ -22,6 +23,8 @@ from certkit.reasons import Reason
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from certkit.definitions.channels import ChannelTable
+
 LOGO_BYTES = 300_000
 LOGO_PIXELS = 4_000
 """Largest logo: it is embedded in every page and certificate."""
@@ -30,8 +33,8 @@ _PNG = b"\x89PNG\r\n\x1a\n"
 _JPEG = b"\xff\xd8\xff"
 
 
-def read_laboratory(path: str | Path) -> LaboratoryTerms:
-    """Read `lab.yaml`.
+def read_laboratory(path: str | Path, channels: ChannelTable | None = None) -> LaboratoryTerms:
+    """Read `lab.yaml`; `channels` are those of the legform that was tested.
 
     Raises
     ------
@@ -40,29 +43,34 @@ def read_laboratory(path: str | Path) -> LaboratoryTerms:
     """
     path = Path(path)
     data = read_bytes(path)
-    laboratory = validate(read_tree(data, path.name), Laboratory)
+    laboratory = validate(read_tree(data, path.name), Laboratory, channels=channels)
     logo = embedded_logo(laboratory.logo, path.parent) if laboratory.logo else None
     digest = hashlib.sha256(data).hexdigest()
     source = InputFile(role="laboratory", path=path.name, sha256=digest, text=data.decode("utf-8-sig"))
-    return laboratory_terms(laboratory, logo, source)
+    return laboratory_terms(laboratory, logo, source, channels)
 
 
-def laboratory_terms(laboratory: Laboratory, logo: str | None, source: InputFile) -> LaboratoryTerms:
-    """Bring a laboratory's words into the terms of grading.
+def laboratory_terms(
+    laboratory: Laboratory, logo: str | None, source: InputFile, channels: ChannelTable | None = None
+) -> LaboratoryTerms:
+    """Bring a laboratory's words into the terms of grading; `channels` are those of the legform.
 
     Raises
     ------
     DataError
         When a condition is no quantity.
     """
-    rule = laboratory.decision
+    rule, known = laboratory.decision, channels or default_channels()
+    if laboratory.item.legform is None:
+        item = laboratory.item.model_copy(update={"legform": known.impactor})
+        laboratory = laboratory.model_copy(update={"item": item})
     return LaboratoryTerms(
         header=laboratory.header(logo),
         checks=_sensor_checks(laboratory),
         decision=DecisionRule(rule.r) if rule.rule == "guard band" else SIMPLE_ACCEPTANCE,
-        uncertainties={name: laboratory.uncertainty(name) for name in laboratory.uncertainties},
+        uncertainties={name: laboratory.uncertainty(name, known) for name in laboratory.uncertainties},
         conditions=_conditions(laboratory),
-        specimen={"legform": laboratory.item.legform, "serial": laboratory.item.serial},
+        specimen={"legform": laboratory.item.legform or known.impactor, "serial": laboratory.item.serial},
         inputs=(source,),
     )
 

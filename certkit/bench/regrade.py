@@ -24,6 +24,7 @@ from certkit.grading import (
 from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
+    from certkit.definitions.channels import ChannelTable
     from certkit.documents.result import Result
 
 
@@ -59,24 +60,26 @@ def regrade(result: Result) -> Result:
         )
     overrides = {change.path: change.value for change in result.provenance.overrides}
     setup = prepare(result.procedure, library=(shelf,), overrides=overrides)
+    channels = setup.legform.channel_table
     numerical = {
         c.id: c.uncertainty.numerical
         for c in result.criteria
         if c.uncertainty is not None and c.uncertainty.numerical is not None
     }
     # What was let pass then is let pass now, and listed in the document's notes.
-    measured = measure_all(setup.procedure, recording_of(result), lenient=True)
+    measured = measure_all(setup.procedure, recording_of(result, table=channels), lenient=True)
     again = evaluate(
         measured,
         GradingTerms(setup.corridors, result.provenance, setup.reference, result.parameters),
         simulated=SimulatedTerms(quality=result.quality, numerical=numerical),
-        laboratory=_laboratory(result),
+        laboratory=_laboratory(result, channels),
     )
     return worded(again)
 
 
-def _laboratory(result: Result) -> LaboratoryTerms:
+def _laboratory(result: Result, channels: ChannelTable) -> LaboratoryTerms:
     source = next((item for item in result.provenance.inputs if item.role == "laboratory"), None)
     if source is None or source.text is None:
         return NO_LABORATORY
-    return laboratory_terms(validate(read_tree(source.text, source.path), Laboratory), None, source)
+    laboratory = validate(read_tree(source.text, source.path), Laboratory, channels=channels)
+    return laboratory_terms(laboratory, None, source, channels)

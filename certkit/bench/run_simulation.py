@@ -123,10 +123,10 @@ def _refine(setup: Setup, reported: Simulation, measured: Measurements) -> Refin
 
 
 def _floors(setup: Setup) -> dict[str, float]:
-    from certkit.definitions.channels import channel_kind  # noqa: PLC0415  # beside its only use
-
     floors = {}
     for criterion in setup.procedure.criteria:
-        kind = channel_kind(criterion.channel or (criterion.curve.y if criterion.curve else ""))
+        kind = setup.legform.channel_table.find(
+            criterion.channel or (criterion.curve.y if criterion.curve else "")
+        )
         floors[criterion.id] = SMALLEST.get(kind.dimension.unit, 0.0) if kind else 0.0
     return floors

@@ -72,8 +72,8 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Override
         Folders with own definitions, searched first.
     overrides : mapping, optional
         Values by their paths: `{"rig.hinge.offset": "30 mm"}` changes the procedure, `{"legform": NAME}` and
-        `{"vehicle": NAME}` put another one on the rig, `{"legform.femur.bending stiffness": "190 N·m²"}`
-        changes the legform, `vehicle.…` likewise the vehicle.
+        `{"vehicle": NAME}` put another one on the rig, `{"legform.parts.femur.length": "0.34 m"}` changes
+        the legform, `vehicle.…` likewise the vehicle.
 
     Raises
     ------

@@ -6,12 +6,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from certkit.bench.regrade import embedded_shelf
+from certkit.definitions.loading.channel_tables import known_channels, legform_channels
 from certkit.documents.channel_curves import recording_of
 from certkit.documents.result import Result
 from certkit.exchange.read import read_recording
 
 if TYPE_CHECKING:
     from certkit.definitions.channel_mapping import Mapping
+    from certkit.definitions.loading.library import Library
     from certkit.signals import Recording
 
 
@@ -25,7 +28,11 @@ class Source:
 
 
 def load_source(
-    source: str | Path | Result, mapping: Mapping | None = None, *, lenient: bool = False
+    source: str | Path | Result,
+    mapping: Mapping | None = None,
+    *,
+    lenient: bool = False,
+    library: Library = (),
 ) -> Source:
     """Load what a path means, or take a result as it is.
 
@@ -37,6 +44,8 @@ def load_source(
         For measured data.
     lenient : bool
         Likewise.
+    library : sequence of Path
+        Folders with own legforms: measured data may be of any of them.
 
     Raises
     ------
@@ -46,13 +55,21 @@ def load_source(
     if isinstance(source, Result):
         # With the digits of its file, so that both are compared alike.
         written = source.as_written()
-        return Source(written.procedure, recording_of(written), written)
+        return Source(written.procedure, _recording(written), written)
     path = Path(source)
     document = path / "result.json" if path.is_dir() else path
     if document.suffix.lower() == ".json" and document.is_file():
         result = Result.read(document)
-        return Source(_label(path), recording_of(result), result)
-    return Source(_label(path), read_recording(path, mapping, lenient=lenient).recording)
+        return Source(_label(path), _recording(result), result)
+    read = read_recording(path, mapping, lenient=lenient, tables=known_channels(library))
+    return Source(_label(path), read.recording)
+
+
+def _recording(result: Result) -> Recording:
+    """Return a result's recording, with the channels of the legform whose definition it carries."""
+    shelf = embedded_shelf(result)
+    carried = [name for kind, name in shelf.texts if kind == "legform"]
+    return recording_of(result, table=legform_channels(carried[0], (shelf,)) if carried else None)
 
 
 def _label(path: Path) -> str:

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+
 Source = Annotated[
     Path, typer.Argument(metavar="SOURCE", help="result.json, the folder of a run, or measured data.")
 ]
@@ -19,12 +21,14 @@ MappingFile = Annotated[
 ]
 
 
-def export(source: Source, target: Target, *, mapping: MappingFile = None) -> None:
+def export(
+    source: Source, target: Target, *, mapping: MappingFile = None, library: options.Libraries = None
+) -> None:
     """Write the channels of a run or a test as ISO-MME (ISO/TS 13499) or CSV.
 
     `certkit export runs/pendulum pendulum.zip` writes an archive that `certkit grade` and other tools read.
     """
     from certkit.bench.export import export as write  # noqa: PLC0415  # numpy waits until it is needed
 
-    write(source, target, mapping=mapping)
+    write(source, target, mapping=mapping, library=tuple(library or ()))
     typer.echo(f"wrote {target}; `certkit grade --procedure NAME {target}` grades it again", err=True)

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationInfo, model_validator
 
 from certkit.definitions.base import Document
-from certkit.definitions.channels import CHANNELS
+from certkit.definitions.loading.channel_tables import channels_in
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.units import UNITS
@@ -47,8 +47,8 @@ class CsvLayout(Document):
     columns: Annotated[dict[str, Column], Field(min_length=1, max_length=500)]
 
     @model_validator(mode="after")
-    def _known_channels(self) -> Self:
-        faults = _unknown("columns", self.columns)
+    def _known_channels(self, info: ValidationInfo) -> Self:
+        faults = _unknown("columns", self.columns, info)
         if self.delimiter == "," == self.decimal:
             faults.append(
                 (("decimal",), "the comma cannot be delimiter and decimal sign; name the delimiter")
@@ -79,11 +79,11 @@ class MmeTable(Document):
     conditions: dict[str, Condition] = {}
 
     @model_validator(mode="after")
-    def _can_be_used(self) -> Self:
-        faults = _unknown("codes", self.codes) + _unknown("signs", self.signs)
+    def _can_be_used(self, info: ValidationInfo) -> Self:
+        faults = _unknown("codes", self.codes, info) + _unknown("signs", self.signs, info)
         for name, patterns in self.codes.items():
             for index, pattern in enumerate(patterns):
-                if not re.fullmatch(r"[A-Z0-9?]{16}", pattern):
+                if not re.fullmatch(r"[A-Z0-9?#]{16}", pattern):
                     message = f"`{pattern}` is no code of 16 characters; use A to Z, 0 to 9, and `?` for any"
                     faults.append((("codes", name, index), message))
         for word, condition in self.conditions.items():
@@ -96,12 +96,15 @@ class MmeTable(Document):
         return self
 
 
-def _unknown(key: str, names: dict[str, Any]) -> list[Fault]:
-    """Find names that are no channels of certkit."""
+def _unknown(key: str, names: dict[str, Any], info: ValidationInfo) -> list[Fault]:
+    """Find names that are no channels of the legform."""
+    if not names:
+        return []
+    known = channels_in(info).kinds
     return [
-        ((key, name), f"no channel is called `{name}`; {suggestion(name, CHANNELS)}")
+        ((key, name), f"no channel is called `{name}`; {suggestion(name, known)}")
         for name in names
-        if name not in CHANNELS
+        if name not in known
     ]
 
 

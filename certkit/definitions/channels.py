@@ -1,12 +1,16 @@
-"""The channels of a Flex-PLI test: their short names and the words of the field.
+"""Channels of a test: their short names, the words of the field, their dimensions and what is known of them.
 
-Their ISO-MME codes stand in one table, `certkit/exchange/flex-pli.yaml`, which a laboratory can override.
+Those of a legform are data of that legform (`certkit.definitions.legform`), those of the rig stand here.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
 
 
 @dataclass(frozen=True)
@@ -63,28 +67,23 @@ class ChannelKind:
         The words a procedure uses: `tibia moment 1`.
     dimension : Dimension
         Its dimension and units.
+    codes : tuple of str
+        Patterns of its ISO-MME code, `?` for any character; the first is the one that is written.
+    amplitude_class : float, optional
+        Channel amplitude class (ISO 6487), SI: the channel clips there.
+    sign : {1, -1, 0}
+        Sign of its largest value in a certification test; 0 where it may have either.
     """
 
     name: str
     title: str
     dimension: Dimension
+    codes: tuple[str, ...] = ()
+    amplitude_class: float | None = None
+    sign: int = 0
 
 
-_KINDS = (
-    ChannelKind("F1", "femur moment 1", MOMENT),
-    ChannelKind("F2", "femur moment 2", MOMENT),
-    ChannelKind("F3", "femur moment 3", MOMENT),
-    ChannelKind("T1", "tibia moment 1", MOMENT),
-    ChannelKind("T2", "tibia moment 2", MOMENT),
-    ChannelKind("T3", "tibia moment 3", MOMENT),
-    ChannelKind("T4", "tibia moment 4", MOMENT),
-    ChannelKind("MCL", "MCL elongation", ELONGATION),
-    ChannelKind("LCL", "LCL elongation", ELONGATION),
-    ChannelKind("ACL", "ACL elongation", ELONGATION),
-    ChannelKind("PCL", "PCL elongation", ELONGATION),
-    ChannelKind("knee acceleration", "knee acceleration", ACCELERATION),
-    ChannelKind("knee bend", "knee bending angle", ANGLE),
-    ChannelKind("knee shear", "knee shear displacement", DISPLACEMENT),
+RIG_CHANNELS = (
     ChannelKind("contact force", "contact force", FORCE),
     ChannelKind("hinge force", "hinge force", FORCE),
     ChannelKind("ram force", "ram force", FORCE),
@@ -92,12 +91,48 @@ _KINDS = (
     ChannelKind("mid moment", "moment at mid-span", MOMENT),
     ChannelKind("mid deflection", "deflection at mid-span", DISPLACEMENT),
 )
+"""What the fixtures of a rig measure, whatever legform is on it. Their codes: `exchange/rig-codes.yaml`."""
 
-CHANNELS = MappingProxyType({kind.name: kind for kind in _KINDS})
 
+@dataclass(frozen=True)
+class ChannelTable:
+    """The channels that a test of one legform can have.
 
-def channel_kind(words: str) -> ChannelKind | None:
-    """Find a channel kind by its short name or by the words of the field, or return None."""
-    if words in CHANNELS:
-        return CHANNELS[words]
-    return next((kind for kind in _KINDS if kind.title == words), None)
+    Parameters
+    ----------
+    legform, impactor : str
+        Name of its definition, and of the impactor that corridors are made for.
+    fine_location : str
+        Fine location 3 of its ISO-MME codes (characters 11 and 12).
+    kinds : mapping of str to ChannelKind
+        By short name, in the order in which channels are listed.
+    bone : tuple of str
+        Bending moments that end the assessment interval and show the noise in free flight.
+    contact : tuple of str
+        Channels that show first contact, the quickest first.
+    """
+
+    legform: str
+    impactor: str
+    fine_location: str
+    kinds: Mapping[str, ChannelKind]
+    bone: tuple[str, ...] = ()
+    contact: tuple[str, ...] = ()
+
+    def find(self, words: str) -> ChannelKind | None:
+        """Return the channel of that short name or of these words of the field, or None."""
+        if words in self.kinds:
+            return self.kinds[words]
+        return next((kind for kind in self.kinds.values() if kind.title == words), None)
+
+    def name(self, words: str) -> str:
+        """Return a channel's short name; what is no channel comes back as it is."""
+        kind = self.find(words)
+        return words if kind is None else kind.name
+
+    def dimension(self, name: str, unit: str) -> Dimension | None:
+        """Return the dimension of a channel that is shown in `unit`; that of the unit where it is unknown."""
+        kind = self.kinds.get(name)
+        if kind is not None and kind.dimension.unit == unit:
+            return kind.dimension
+        return next((d for d in DIMENSIONS.values() if d.unit == unit), None)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Annotated, ClassVar, Literal, Self
+from typing import Annotated, ClassVar, Self
 
 from pydantic import Field, model_validator
 
@@ -155,9 +155,9 @@ class CorridorSet(Section):
 
     corridors: Annotated[str, Field(description="Name of the set.")]
     title: str
-    impactor: Annotated[Literal["Flex-PLI", "aPLI"], Field(description="The legform they are for.")] = (
-        "Flex-PLI"
-    )
+    impactor: Annotated[
+        str | None, Field(description="The impactor they are for; that of the shipped legform when missing.")
+    ] = None
     windows: dict[str, ValueWindow] = {}
     polygons: dict[str, Polygon] = {}
     bands: dict[str, Band] = {}

@@ -6,18 +6,18 @@ It fills the header that ISO/IEC 17025:2017, 7.8.2, asks of a report.
 from __future__ import annotations
 
 from datetime import date
-from typing import Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationInfo, model_validator
 
 from certkit.definitions.base import Document
-from certkit.definitions.channels import CHANNELS
+from certkit.definitions.loading.channel_tables import channels_in, default_channels
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.units import parse_quantity
 
-# Dimensions of channels whose unit table goes by another name.
-_TABLE = {"elongation": "length", "displacement": "length"}
+if TYPE_CHECKING:
+    from certkit.definitions.channels import ChannelTable
 
 Words = Annotated[str, Field(min_length=1, max_length=2_000)]
 
@@ -34,7 +34,9 @@ class Item(Document):
     """The legform that was tested."""
 
     serial: Annotated[Words, Field(description="Serial number; the logbook is kept by it.")]
-    legform: Words = "Flex-PLI"
+    legform: Annotated[
+        Words | None, Field(description="What it is; the procedure's impactor when missing.")
+    ] = None
     condition: Words | None = None
     received: date | None = None
 
@@ -94,50 +96,52 @@ class Laboratory(Document):
     ] = {}
 
     @model_validator(mode="after")
-    def _fits_together(self) -> Self:
+    def _fits_together(self, info: ValidationInfo) -> Self:
+        channels = channels_in(info)
         faults: list[Fault] = [
             (
                 ("sensors", index, "channel"),
-                f"no channel is called `{sensor.channel}`; {_hint(sensor.channel)}",
+                f"no channel is called `{sensor.channel}`; {suggestion(sensor.channel, channels.kinds)}",
             )
             for index, sensor in enumerate(self.sensors)
-            if sensor.channel not in CHANNELS
+            if sensor.channel not in channels.kinds
         ]
         faults += [
             (("sensors", index, "expires"), f"expires {sensor.expires}, before it was calibrated")
             for index, sensor in enumerate(self.sensors)
             if sensor.expires < sensor.calibrated
         ]
-        faults += self._uncertainty_faults()
+        faults += self._uncertainty_faults(channels)
         if self.decision.rule == "guard band" and not self.uncertainties:
             faults.append((("decision", "rule"), "a guard band needs `uncertainties`; give U by channel"))
         if faults:
             raise Faults(faults)
         return self
 
-    def _uncertainty_faults(self) -> list[Fault]:
+    def _uncertainty_faults(self, channels: ChannelTable) -> list[Fault]:
         faults: list[Fault] = []
         for name in self.uncertainties:
-            if name not in CHANNELS:
-                faults.append((("uncertainties", name), f"no channel is called `{name}`; {_hint(name)}"))
+            if name not in channels.kinds:
+                message = f"no channel is called `{name}`; {suggestion(name, channels.kinds)}"
+                faults.append((("uncertainties", name), message))
                 continue
             try:
-                if self.uncertainty(name) <= 0:
+                if self.uncertainty(name, channels) <= 0:
                     faults.append((("uncertainties", name), "an expanded uncertainty is greater than zero"))
             except ValueError as error:
                 faults.append((("uncertainties", name), str(error)))
         return faults
 
-    def uncertainty(self, channel: str) -> float:
-        """Return the expanded uncertainty of a channel in SI units.
+    def uncertainty(self, channel: str, channels: ChannelTable | None = None) -> float:
+        """Return the expanded uncertainty of a channel in SI units; `channels` are the legform's.
 
         Raises
         ------
         KeyError
             When the file names none.
         """
-        dimension = CHANNELS[channel].dimension.name
-        return parse_quantity(self.uncertainties[channel], _TABLE.get(dimension, dimension))
+        kind = (channels or default_channels()).kinds[channel]
+        return parse_quantity(self.uncertainties[channel], kind.dimension.quantity)
 
     @property
     def expired_sensors(self) -> list[Sensor]:
@@ -159,7 +163,3 @@ class Laboratory(Document):
         entries["persons"] = [person.model_dump(mode="json") for person in self.persons]
         entries["sensors"] = [sensor.model_dump(mode="json", exclude_none=True) for sensor in self.sensors]
         return {name: entry for name, entry in entries.items() if entry not in (None, [])}
-
-
-def _hint(name: str) -> str:
-    return suggestion(name, CHANNELS)

@@ -1,133 +1,193 @@
-"""The legform document: masses, stiffnesses and geometry of one Flex-PLI, each number with its origin."""
+"""The legform document: parts, knee, flesh and channels of one legform, each number with its origin."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from functools import cached_property
+from typing import TYPE_CHECKING, Annotated, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from certkit.definitions.base import Section
-from certkit.definitions.loading.field_types import Axes
-from certkit.definitions.provenance import (
-    Angle,
-    BendingStiffness,
-    Damping,
-    Force,
-    FoundationStiffness,
-    Frequency,
-    Inertia,
-    Length,
-    Mass,
-    Ratio,
-    RotationalStiffness,
-    Stiffness,
-    Time,
-)
+from certkit.definitions.channels import RIG_CHANNELS, ChannelKind, ChannelTable
+from certkit.definitions.legform_channel import Evaluation, LegformChannel
+from certkit.definitions.legform_parts import Bone, Flesh, Knee
+from certkit.definitions.loading.error_messages import suggestion
+from certkit.definitions.loading.faults import Fault, Faults
+from certkit.definitions.units import parse_quantity
+from certkit.errors import RunError
 
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
-class Bone(Section):
-    """Femur or tibia: rigid segments on pivots with rotational springs."""
-
-    length: Length
-    depth: Annotated[Length, Field(description="Outer size along the impact.")]
-    segments: Annotated[int, Field(ge=2, le=200)]
-    mass: Mass
-    centre_of_gravity: Annotated[Length, Field(description="From the top of the part.")]
-    inertia: Annotated[Inertia, Field(description="About its own centre of gravity.")]
-    bending_stiffness: BendingStiffness
-    damping_time: Annotated[Time, Field(description="Joint damping divided by joint stiffness.")]
-    block_joint: Annotated[Ratio, Field(description="How much stiffer the joint at the knee block is.")]
-    cable_angle: Annotated[Angle, Field(description="Joint angle at which the steel cables come tight.")]
-    cable_stiffness: Annotated[RotationalStiffness, Field(description="Added joint stiffness beyond it.")]
-
-
-class Ligament(Section):
-    """A cable on a preloaded spring: it pulls and never pushes. Points are (x, z), femur side, tibia side."""
-
-    femur: Annotated[list[Length], Axes(("x", "z")), Field(min_length=2, max_length=2)]
-    tibia: Annotated[list[Length], Axes(("x", "z")), Field(min_length=2, max_length=2)]
-    stiffness: Stiffness
-    preload: Force
-    damping: Damping
-
-
-class Condyles(Section):
-    """Two round condyles of the femur block in two troughs of the tibia block."""
-
-    radius: Length
-    trough_radius: Length
-    offset: Annotated[Length, Field(description="Distance of each condyle's middle from the leg's axis.")]
-    stiffness: Stiffness
-    damping: Damping
-    friction: Ratio
-
-
-class KneeGuide(Section):
-    """A guide against sliding between the knee blocks: free for some way, then a spring."""
-
-    offset: Annotated[Length, Field(description="Distance from the leg's axis, towards the impact side.")]
-    free_travel: Annotated[Length, Field(description="Either way.")]
-    stiffness: Stiffness
-    damping: Damping
-
-
-class Knee(Section):
-    """Two rigid blocks in contact, held together by four ligaments."""
-
-    mass: Mass
-    centre_of_gravity: Annotated[Length, Field(description="From the top of the knee.")]
-    inertia: Inertia
-    above_centre: Annotated[Length, Field(description="Height of the femur block.")]
-    below_centre: Annotated[Length, Field(description="Height of the tibia block.")]
-    depth: Length
-    condyles: Condyles
-    parallel_stiffness: RotationalStiffness
-    guide: KneeGuide | None = None
-    ligaments: Annotated[dict[str, Ligament], Field(description="MCL, LCL, ACL and PCL.")]
-
-
-class Flesh(Section):
-    """Rubber and neoprene around the bones: a mass a segment on springs, and a layer that can be crushed."""
-
-    mass: Mass
-    across: Annotated[Frequency, Field(description="Natural frequency of the flesh along the impact.")]
-    along: Annotated[Frequency, Field(description="Natural frequency along the bone.")]
-    damping_ratio: Ratio
-    tension: Annotated[Force, Field(description="Tensile stiffness EA between neighbours; 0 leaves it out.")]
-    compression: Annotated[FoundationStiffness, Field(description="Initial, per unit length.")]
-    thickness: Annotated[Length, Field(description="Depth over which the compression stiffens.")]
-    face: Annotated[
-        Length | None,
-        Field(description="Distance of its bone side from the leg's axis; half the parts' depth if missing."),
-    ] = None
-    bending_stiffness: Annotated[
-        BendingStiffness | None,
-        Field(description="Of the sleeve, which bends beside the bones; no gauge feels it."),
-    ] = None
-    damping_time: Annotated[
-        Time | None, Field(description="Damping of the sleeve's bending divided by its stiffness.")
-    ] = None
-
-
-class Gauges(Section):
-    """Strain gauges: distance from the knee centre, upwards in the femur, downwards in the tibia."""
-
-    f1: Annotated[Length, Field(alias="F1")]
-    f2: Annotated[Length, Field(alias="F2")]
-    f3: Annotated[Length, Field(alias="F3")]
-    t1: Annotated[Length, Field(alias="T1")]
-    t2: Annotated[Length, Field(alias="T2")]
-    t3: Annotated[Length, Field(alias="T3")]
-    t4: Annotated[Length, Field(alias="T4")]
+WHOLE = "leg"
+"""The specimen that is the whole chain of parts."""
+KNEE = "knee"
 
 
 class Legform(Section):
-    """One leg, the same for all procedures."""
+    """One legform, the same for all procedures: a chain of parts with a knee, its flesh and its channels."""
 
     legform: Annotated[str, Field(description="Its name.")]
     title: str
-    femur: Bone
+    impactor: Annotated[str, Field(min_length=1, description="The impactor that corridors are made for.")]
+    fine_location: Annotated[
+        str, Field(pattern=r"^[A-Z0-9]{2}$", description="Fine location 3 of its ISO-MME codes.")
+    ]
+    parts: Annotated[
+        dict[str, Bone], Field(min_length=2, max_length=50, description="From the top to the bottom.")
+    ]
     knee: Knee
-    tibia: Bone
     flesh: Flesh
-    gauges: Gauges
+    channels: Annotated[dict[str, LegformChannel], Field(min_length=1, max_length=300)]
+    evaluation: Evaluation
+
+    @property
+    def chain(self) -> tuple[str, ...]:
+        """Return the parts from top to bottom, the knee among them."""
+        upper, _ = self.knee.between
+        names = list(self.parts)
+        at = names.index(upper) + 1
+        return (*names[:at], KNEE, *names[at:])
+
+    @property
+    def ends(self) -> tuple[str, str]:
+        """Return what the upper and the lower end are called: `femur end`, `tibia end`."""
+        return f"{self.chain[0]} end", f"{self.chain[-1]} end"
+
+    def is_upper(self, end: str) -> bool:
+        """Tell whether an end is the upper one.
+
+        Raises
+        ------
+        RunError
+            When the leg has no such end.
+        """
+        if end not in self.ends:
+            raise RunError(f"the leg has no `{end}`; it has `{self.ends[0]}` and `{self.ends[1]}`")
+        return end == self.ends[0]
+
+    def gauge_height(self, channel: LegformChannel) -> float:
+        """Return the height of a bending moment's gauge above the knee centre, m."""
+        chain = self.chain
+        up = chain.index(channel.part or "") < chain.index(KNEE)
+        return float(channel.from_knee_centre or 0.0) * (1.0 if up else -1.0)
+
+    def span(self, part: str) -> tuple[float, float]:
+        """Return top and bottom of a part above the knee centre, m."""
+        chain = self.chain
+        at, knee = chain.index(part), chain.index(KNEE)
+        if at < knee:
+            bottom = sum(
+                (float(self.parts[p].length) for p in chain[at + 1 : knee]), float(self.knee.above_centre)
+            )
+            return bottom + float(self.parts[part].length), bottom
+        top = -sum((float(self.parts[p].length) for p in chain[knee + 1 : at]), float(self.knee.below_centre))
+        return top, top - float(self.parts[part].length)
+
+    @cached_property
+    def channel_table(self) -> ChannelTable:
+        """Return the channels that a test of this legform can have, those of the rig included."""
+        known = self.evaluation
+        classes = {
+            name: parse_quantity(level, self.channels[name].kind.quantity)
+            for level, names in known.amplitude_classes.items()
+            for name in names
+        }
+        signs = {**dict.fromkeys(known.positive, 1), **dict.fromkeys(known.negative, -1)}
+        kinds = {
+            name: ChannelKind(
+                name, channel.title, channel.kind, tuple(channel.codes), classes.get(name), signs.get(name, 0)
+            )
+            for name, channel in self.channels.items()
+        }
+        return ChannelTable(
+            legform=self.legform,
+            impactor=self.impactor,
+            fine_location=self.fine_location,
+            kinds=kinds | {kind.name: kind for kind in RIG_CHANNELS},
+            bone=tuple(known.bone_channels),
+            contact=tuple(known.contact_channels),
+        )
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        faults = [*self._chain_faults()]
+        if not faults:
+            for name, channel in self.channels.items():
+                faults += [
+                    (("channels", name, *steps), said) for steps, said in self._channel_faults(channel)
+                ]
+            faults += self._evaluation_faults()
+        titles = [channel.title for channel in self.channels.values()]
+        rig = {kind.name for kind in RIG_CHANNELS} | {kind.title for kind in RIG_CHANNELS}
+        for name, channel in self.channels.items():
+            if {name, channel.title} & rig:
+                faults.append((("channels", name), f"`{name}` is a channel of the rig; give it another name"))
+            elif titles.count(channel.title) > 1:
+                faults.append((("channels", name, "title"), f"`{channel.title}` is said of two channels"))
+        if faults:
+            raise Faults(faults)
+        return self
+
+    def _chain_faults(self) -> Iterator[Fault]:
+        names = list(self.parts)
+        for name in names:
+            if name in {WHOLE, KNEE}:
+                yield ("parts", name), f"no part can be called `{name}`; the {name} is described elsewhere"
+        for index, end in enumerate(self.knee.between):
+            if end not in self.parts:
+                yield ("knee", "between", index), f"there is no part `{end}`; {suggestion(end, names)}"
+        upper, lower = self.knee.between
+        if upper in names and lower in names and names.index(lower) != names.index(upper) + 1:
+            message = (
+                f"`{upper}` and `{lower}` do not follow on each other in `parts`, which go from the top down"
+            )
+            yield ("knee", "between"), message
+        for name in (names[-1], upper):
+            if name in self.parts and self.parts[name].joint is not None:
+                below = "nothing" if name == names[-1] else "the knee"
+                yield ("parts", name, "joint"), f"{below} is below `{name}`; leave the joint out"
+
+    def _channel_faults(self, channel: LegformChannel) -> Iterator[Fault]:
+        """Yield what is wrong with the place that a channel names."""
+        ligaments = self.knee.ligaments
+        if channel.ligament is not None and channel.ligament not in ligaments:
+            hint = suggestion(channel.ligament, ligaments)
+            yield ("ligament",), f"there is no ligament `{channel.ligament}`; {hint}"
+        if channel.part is None:
+            return
+        if channel.part not in self.parts:
+            yield ("part",), f"there is no part `{channel.part}`; {suggestion(channel.part, self.parts)}"
+            return
+        top, bottom = self.span(channel.part)
+        if not bottom - 1e-9 <= self.gauge_height(channel) <= top + 1e-9:
+            near, far = sorted((abs(top) * 1e3, abs(bottom) * 1e3))
+            said = f"is not on the {channel.part}, which reaches from {near:.6g} to {far:.6g} mm"
+            yield ("from knee centre",), said
+
+    def _evaluation_faults(self) -> Iterator[Fault]:
+        known = self.evaluation
+        rig = [kind.name for kind in RIG_CHANNELS]
+        lists: list[tuple[tuple[str, ...], list[str]]] = [
+            ((key,), names)
+            for key, names in (
+                ("bone channels", known.bone_channels),
+                ("contact channels", known.contact_channels),
+                ("positive", known.positive),
+                ("negative", known.negative),
+            )
+        ]
+        lists += [(("amplitude classes", level), names) for level, names in known.amplitude_classes.items()]
+        for steps, names in lists:
+            allowed = [*self.channels, *(rig if steps == ("contact channels",) else ())]
+            for index, name in enumerate(names):
+                if name not in allowed:
+                    message = f"no channel is called `{name}`; {suggestion(name, allowed)}"
+                    yield ("evaluation", *steps, index), message
+        for level, names in known.amplitude_classes.items():
+            for name in (name for name in names if name in self.channels):
+                try:
+                    parse_quantity(level, self.channels[name].kind.quantity)
+                except (ValueError, KeyError) as error:
+                    yield ("evaluation", "amplitude classes", level), f"{error}, which is what `{name}` is"
+                    break

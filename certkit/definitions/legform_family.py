@@ -19,7 +19,7 @@ class Member(Document):
     id: str
     values: Annotated[
         dict[str, str],
-        Field(min_length=1, description="Quantity by its path in the legform: `femur.bending stiffness`."),
+        Field(min_length=1, description="Quantity by its path in the legform: `parts.femur.length`."),
     ]
 
 

@@ -41,7 +41,9 @@ class Specimen(Document):
     """What is put on the rig."""
 
     legform: str = "flex-pli-gtr"
-    part: Literal["leg", "femur", "tibia", "knee"] = "leg"
+    part: Annotated[
+        str, Field(description="`leg` for all of it, `knee`, or a part such as `femur` or `tibia`.")
+    ] = "leg"
     flesh: Literal["fitted", "off"] = "off"
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from certkit.definitions.channels import CHANNELS, DIMENSIONS
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.documents.result import Histories, Series
 from certkit.documents.rounding import rounded_all
 from certkit.errors import DataError
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.definitions.channels import Dimension
+    from certkit.definitions.channels import ChannelTable, Dimension
     from certkit.documents.result import Result
     from certkit.signals import Filtered
 
@@ -99,7 +99,7 @@ def raw_channels(recording: Recording) -> Histories | None:
     )
 
 
-def recording_of(result: Result, source: str | None = None) -> Recording:
+def recording_of(result: Result, source: str | None = None, table: ChannelTable | None = None) -> Recording:
     """Return the recording that a result document carries, so that it can be graded again.
 
     Parameters
@@ -107,6 +107,8 @@ def recording_of(result: Result, source: str | None = None) -> Recording:
     result : Result
     source : str, optional
         Where it came from; the procedure's name when missing.
+    table : ChannelTable, optional
+        Channels of the legform that was tested; the shipped one's when missing.
 
     Raises
     ------
@@ -116,9 +118,10 @@ def recording_of(result: Result, source: str | None = None) -> Recording:
     carried = result.channels
     if carried is None:
         raise DataError(f"the result of `{result.procedure}` carries no channels; it cannot be graded again")
+    known = table or default_channels()
     channels = {}
     for name, series in carried.series.items():
-        dimension = _dimension(name, series.unit)
+        dimension = _dimension(name, series.unit, known)
         values = np.array(series.values) / dimension.scale
         seen = "" if series.filter == "none" else series.filter
         channels[name] = Channel(name, series.title, dimension, values, filtered=seen)
@@ -127,7 +130,12 @@ def recording_of(result: Result, source: str | None = None) -> Recording:
     )
     time = carried.start + carried.interval * np.arange(carried.count, dtype=np.float64)
     return Recording(
-        kind, time, channels, conditions=dict(result.conditions), source=source or result.procedure
+        kind,
+        time,
+        channels,
+        conditions=dict(result.conditions),
+        source=source or result.procedure,
+        table=known,
     )
 
 
@@ -176,12 +184,9 @@ def _mean_interval(time: NDArray[np.float64]) -> float:
     return float(time[-1] - time[0]) / (time.size - 1) if time.size > 1 else 0.0
 
 
-def _dimension(name: str, unit: str) -> Dimension:
+def _dimension(name: str, unit: str, table: ChannelTable) -> Dimension:
     """Return the dimension of a channel in a document by its name, else by its unit."""
-    kind = CHANNELS.get(name)
-    if kind is not None and kind.dimension.unit == unit:
-        return kind.dimension
-    for dimension in DIMENSIONS.values():
-        if dimension.unit == unit:
-            return dimension
-    raise DataError(f"channel `{name}` has the unit `{unit}`, which certkit does not know")
+    dimension = table.dimension(name, unit)
+    if dimension is None:
+        raise DataError(f"channel `{name}` has the unit `{unit}`, which certkit does not know")
+    return dimension

@@ -27,7 +27,6 @@ from typing import TYPE_CHECKING, get_args
 import numpy as np
 
 from certkit.definitions.channel_mapping import Column, Filter, TimeColumn
-from certkit.definitions.channels import CHANNELS
 from certkit.definitions.units import UNITS
 from certkit.documents.channel_curves import recording_of
 from certkit.documents.rounding import SIGNIFICANT_DIGITS
@@ -42,6 +41,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
+    from certkit.definitions.channels import ChannelTable
     from certkit.documents.result import Result
     from certkit.exchange.csv_table import CsvTable
     from certkit.exchange.measured import Leniency
@@ -123,8 +123,16 @@ def write_csv(recording: Recording, path: Path) -> None:
     write_whole(path, csv_text(recording))
 
 
-def read_head(table: CsvTable, leniency: Leniency) -> CsvHead:
+def column_names(table: CsvTable) -> list[str]:
+    """Return what the heads of a table name, without their units."""
+    found = [_HEAD.fullmatch(head.removeprefix("'")) for head in table.heads]
+    return [match.group(1).strip() for match in found if match is not None]
+
+
+def read_head(table: CsvTable, known: ChannelTable, leniency: Leniency) -> CsvHead:
     """Understand the head of certkit's own CSV: `#` lines, then heads such as `time [s]` and `T1 [N·m]`.
+
+    `known` are the channels of the legform that was tested.
 
     Raises
     ------
@@ -141,7 +149,7 @@ def read_head(table: CsvTable, leniency: Leniency) -> CsvHead:
         name, unit = match.group(1).strip(), match.group(2).strip()
         if name == "time":
             time = TimeColumn(column=number, unit=unit)
-        elif name not in CHANNELS:
+        elif name not in known.kinds:
             unused.append(name)
         elif name in columns:
             raise DataError(f"{place}: the column `{name}` stands twice")
@@ -150,7 +158,9 @@ def read_head(table: CsvTable, leniency: Leniency) -> CsvHead:
     if time is None:
         raise DataError(f"{place}: no column `time [s]`")
     if not columns:
-        raise DataError(f"{place}: no channel of a Flex-PLI among the heads; other files need --mapping")
+        raise DataError(
+            f"{place}: no channel of a {known.impactor} among the heads; other files need --mapping"
+        )
     if unused:
         leniency.depart(place, f"unknown channel `{unused[0][:60]}`", "the column is not needed")
     said, line = table.remarks.get("kind", ("", 0))
@@ -158,11 +168,11 @@ def read_head(table: CsvTable, leniency: Leniency) -> CsvHead:
         raise DataError(f"{table.place}:{line}: the kind `{said[:40]}` is not one of {', '.join(KINDS)}")
     notes = () if said else (Reason.of("kind-not-said", file=table.place),)
     kind: Kind = "simulated" if said == "simulated" else "measured"
-    return CsvHead(kind, time, columns, _read_conditions(table, code_table()), notes)
+    return CsvHead(kind, time, columns, _read_conditions(table, code_table(channels=known)), notes)
 
 
 def _conditions(recording: Recording) -> Iterator[tuple[str, str]]:
-    table = code_table()
+    table = code_table(channels=recording.table)
     for word, value in sorted(recording.conditions.items()):
         if word in table.conditions:
             units = UNITS[table.conditions[word].dimension]

@@ -1,4 +1,4 @@
-"""Channel codes: from the sixteen characters of ISO/TS 13499 to a channel of the Flex-PLI and back."""
+"""Channel codes: from the sixteen characters of ISO/TS 13499 to a channel of a legform and back."""
 
 from __future__ import annotations
 
@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from certkit.definitions.channel_mapping import Condition, Mapping, MmeTable
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.definitions.loading.validation import validate
 from certkit.definitions.loading.yaml_reader import read_tree
 
@@ -19,10 +21,15 @@ FILTER_OF_LETTER = MappingProxyType(
 LETTER_OF_FILTER = MappingProxyType({"": "0", "CFC 1000": "A", "CFC 600": "B", "CFC 180": "C", "CFC 60": "D"})
 """And back; any other filter is written as `S`."""
 
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from certkit.definitions.channels import ChannelTable
+
 
 @dataclass(frozen=True)
 class CodeTable:
-    """The shipped table with a laboratory's own entries laid over it.
+    """Codes of a legform and of the rig, with a laboratory's own entries laid over them.
 
     Parameters
     ----------
@@ -48,6 +55,12 @@ class CodeTable:
         return own[:-1] + LETTER_OF_FILTER.get(filtered, "S")
 
 
+def table_of_codes(codes: Iterable[str], tables: Sequence[ChannelTable]) -> ChannelTable:
+    """Return the legform that most of the codes belong to, by their fine location 3; the first of equals."""
+    seen = [code[10:12] for code in codes]
+    return max(tables, key=lambda table: seen.count(table.fine_location))
+
+
 def _fits(pattern: str, code: str) -> bool:
     """Tell whether a pattern, with `?` for any character, fits a code."""
     return len(pattern) == len(code) and all(p in {"?", c} for p, c in zip(pattern, code, strict=True))
@@ -55,15 +68,27 @@ def _fits(pattern: str, code: str) -> bool:
 
 @cache
 def shipped_table() -> Mapping:
-    """Read the table that certkit ships."""
-    source = files("certkit.exchange") / "flex-pli.yaml"
+    """Read the shipped table of the rig's channels and of conditions."""
+    source = files("certkit.exchange") / "rig-codes.yaml"
     return validate(read_tree(source.read_bytes(), source.name), Mapping)
 
 
-def code_table(mapping: Mapping | None = None) -> CodeTable:
-    """Lay a laboratory's entries over the shipped table; where both know a code, the laboratory's wins."""
+def code_table(mapping: Mapping | None = None, channels: ChannelTable | None = None) -> CodeTable:
+    """Lay a laboratory's entries over those of a legform and of the rig; the laboratory's win.
+
+    Parameters
+    ----------
+    mapping : Mapping, optional
+        The laboratory's.
+    channels : ChannelTable, optional
+        The legform's; those of the shipped one when missing.
+    """
+    table = channels or default_channels()
     shipped, own = shipped_table().mme, mapping.mme if mapping else MmeTable()
-    codes = {name: tuple(patterns) for name, patterns in own.codes.items()}
-    for name, patterns in shipped.codes.items():
-        codes[name] = (*codes.get(name, ()), *patterns)
+    known = {kind.name: kind.codes for kind in table.kinds.values() if kind.codes}
+    codes: dict[str, tuple[str, ...]] = {}
+    for entries in (own.codes, known, shipped.codes):
+        for name, patterns in entries.items():
+            located = (pattern.replace("##", table.fine_location) for pattern in patterns)
+            codes[name] = (*codes.get(name, ()), *located)
     return CodeTable(codes, {**shipped.signs, **own.signs}, {**shipped.conditions, **own.conditions})

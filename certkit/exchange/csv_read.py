@@ -6,10 +6,10 @@ import hashlib
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from certkit.definitions.channels import CHANNELS
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.definitions.units import parse_quantity
 from certkit.errors import DataError
-from certkit.exchange.channels_csv import CsvHead, read_head
+from certkit.exchange.channels_csv import CsvHead, column_names, read_head
 from certkit.exchange.codes import code_table
 from certkit.exchange.conditions import mapped_conditions
 from certkit.exchange.container import read_bounded
@@ -23,15 +23,23 @@ from certkit.signals.clipping import find_clipping
 from certkit.signals.recording import Channel, Recording
 
 if TYPE_CHECKING:
+    from collections.abc import Collection, Sequence
     from pathlib import Path
 
     import numpy as np
     from numpy.typing import NDArray
 
     from certkit.definitions.channel_mapping import Column, CsvLayout, Mapping, TimeColumn
+    from certkit.definitions.channels import ChannelKind, ChannelTable
 
 
-def read_csv(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> MeasuredData:
+def read_csv(
+    path: Path,
+    mapping: Mapping | None = None,
+    *,
+    lenient: bool = False,
+    tables: Sequence[ChannelTable] = (),
+) -> MeasuredData:
     """Read a CSV recording.
 
     Parameters
@@ -42,6 +50,8 @@ def read_csv(path: Path, mapping: Mapping | None = None, *, lenient: bool = Fals
         Which column is what. Without one, heads are read as certkit writes them: `time [s],T1 [N·m],…`.
     lenient : bool
         List assumptions instead of stopping at departures.
+    tables : sequence of ChannelTable
+        Legforms that it may be a test of; its heads tell which. The shipped one when empty.
 
     Raises
     ------
@@ -55,18 +65,20 @@ def read_csv(path: Path, mapping: Mapping | None = None, *, lenient: bool = Fals
     text, _ = decode(data, str(path))
     layout = mapping.csv if mapping else None
     table = cut(text, str(path), layout)
-    head = read_head(table, leniency) if layout is None else _mapped_head(layout)
+    known = _legform(layout.columns if layout else column_names(table), tables or (default_channels(),))
+    head = read_head(table, known, leniency) if layout is None else _mapped_head(layout)
     time, columns = head.time, head.columns
-    wanted = {name: table.column(columns[name].column) for name in CHANNELS if name in columns}
+    wanted = {name: table.column(columns[name].column) for name in known.kinds if name in columns}
     base, values = _values(table, time, wanted, leniency)
-    channels = {name: _channel(table, name, columns[name], values[name]) for name in values}
+    channels = {name: _channel(table, known.kinds[name], columns[name], values[name]) for name in values}
     recording = Recording(
         kind=head.kind,
         time=base.times(),
         channels=MappingProxyType(channels),
-        conditions=MappingProxyType(head.conditions | mapped_conditions(mapping, code_table(mapping))),
+        conditions=MappingProxyType(head.conditions | mapped_conditions(mapping, code_table(mapping, known))),
         notes=(*head.notes, *leniency.assumptions),
         source=path.name,
+        table=known,
     )
     source = SourceFile(path.name, hashlib.sha256(data).hexdigest())
     return MeasuredData(recording, (source,), tuple(leniency.assumptions))
@@ -75,6 +87,11 @@ def read_csv(path: Path, mapping: Mapping | None = None, *, lenient: bool = Fals
 def _mapped_head(layout: CsvLayout) -> CsvHead:
     """Return what a mapping file says of a laboratory's table."""
     return CsvHead("measured", layout.time, dict(layout.columns))
+
+
+def _legform(names: Collection[str], tables: Sequence[ChannelTable]) -> ChannelTable:
+    """Return the legform that most of the names are channels of; the first of equals."""
+    return max(tables, key=lambda known: sum(name in known.kinds for name in names))
 
 
 def _values(
@@ -117,8 +134,8 @@ def _base(table: CsvTable, time: TimeColumn, values: NDArray[np.float64]) -> Tim
     return base_of_times(values[:, 0] * scale, table.place, table.body.first)
 
 
-def _channel(table: CsvTable, name: str, column: Column, values: NDArray[np.float64]) -> Channel:
-    kind = CHANNELS[name]
+def _channel(table: CsvTable, kind: ChannelKind, column: Column, values: NDArray[np.float64]) -> Channel:
+    name = kind.name
     try:
         scale = factor(column.unit, kind)
         limit = quantity(column.amplitude_class, table_dimension(kind)) if column.amplitude_class else None

@@ -10,9 +10,6 @@ from certkit.definitions.units import UNITS, parse_quantity
 if TYPE_CHECKING:
     from certkit.definitions.channels import ChannelKind
 
-# Dimensions of the channels → dimensions of the unit table, where the names differ.
-_TABLE = {"elongation": "length", "displacement": "length"}
-
 _SPELLINGS = {
     "m/(s*s)": "m/s²",
     "m/s/s": "m/s²",
@@ -37,7 +34,7 @@ _SPELLINGS = {
 
 def table_dimension(kind: ChannelKind) -> str:
     """Return the key of `UNITS` for a channel."""
-    return _TABLE.get(kind.dimension.name, kind.dimension.name)
+    return kind.dimension.quantity
 
 
 def factor(unit: str, kind: ChannelKind) -> float:

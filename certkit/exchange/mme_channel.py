@@ -6,7 +6,6 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from certkit.definitions.channels import CHANNELS, ChannelKind
 from certkit.errors import DataError
 from certkit.exchange.codes import FILTER_OF_LETTER
 from certkit.exchange.container import MAX_SAMPLES
@@ -21,6 +20,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from certkit.definitions.channels import ChannelKind
     from certkit.exchange.measured import Leniency
 
 _UNUSABLE = frozenset({"channel failed", "no data", "meaningless data", "system failed"})
@@ -67,7 +67,7 @@ class MmeChannel:
 
 
 def read_channel(
-    text: str, place: str, code: str, name: str, sign: int, leniency: Leniency
+    text: str, place: str, code: str, kind: ChannelKind, sign: int, leniency: Leniency
 ) -> MmeChannel | None:
     """Read a channel file.
 
@@ -79,8 +79,8 @@ def read_channel(
         Its name for messages.
     code : str
         Channel code by the channel list.
-    name : str
-        Short name of the channel that code means.
+    kind : ChannelKind
+        The channel that code means.
     sign : int
         -1 to turn the polarity.
     leniency : Leniency
@@ -98,7 +98,6 @@ def read_channel(
     """
     lines = text.split("\n")
     header = read_header(lines, place)
-    kind = CHANNELS[name]
     status = header.find("Data status")
     if status and status.value.casefold() in _UNUSABLE:
         return None

@@ -14,9 +14,9 @@ from pathlib import Path, PurePosixPath
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from certkit.definitions.channels import CHANNELS
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.errors import DataError
-from certkit.exchange.codes import CodeTable, code_table
+from certkit.exchange.codes import CodeTable, code_table, table_of_codes
 from certkit.exchange.conditions import mapped_conditions, mme_conditions
 from certkit.exchange.container import MAX_CHANNELS, Container, open_container
 from certkit.exchange.measured import Leniency, MeasuredData, SourceFile
@@ -28,7 +28,10 @@ from certkit.reasons import Reason
 from certkit.signals.recording import Channel, Recording
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from certkit.definitions.channel_mapping import Mapping
+    from certkit.definitions.channels import ChannelTable
 
 _SHOWN = (
     "Laboratory name",
@@ -77,7 +80,13 @@ class _Texts:
         return text
 
 
-def read_mme(path: Path, mapping: Mapping | None = None, *, lenient: bool = False) -> MeasuredData:
+def read_mme(
+    path: Path,
+    mapping: Mapping | None = None,
+    *,
+    lenient: bool = False,
+    tables: Sequence[ChannelTable] = (),
+) -> MeasuredData:
     """Read a container.
 
     Parameters
@@ -88,6 +97,8 @@ def read_mme(path: Path, mapping: Mapping | None = None, *, lenient: bool = Fals
         A laboratory's own codes, signs and conditions.
     lenient : bool
         List assumptions instead of stopping at departures from the standard.
+    tables : sequence of ChannelTable
+        Legforms that it may be a test of; its codes tell which. The shipped one when empty.
 
     Raises
     ------
@@ -96,19 +107,20 @@ def read_mme(path: Path, mapping: Mapping | None = None, *, lenient: bool = Fals
     """
     leniency = Leniency(lenient=lenient)
     texts = _Texts(open_container(path.parent if path.suffix.lower() == ".mme" else path), leniency)
-    table = code_table(mapping)
     master = _only(texts.container, ".mme", path)
     header = read_header(texts.read(master).split("\n"), texts.container.place(master))
     if header.find("Data format edition number") is None:
         leniency.depart(header.place, "no `Data format edition number`", "edition 1.6")
     listed = _channel_list(texts, leniency)
-    parts, notes = _channels(texts, listed, table, leniency)
+    known = table_of_codes((item.code for item in listed), tables or (default_channels(),))
+    table = code_table(mapping, known)
+    parts, notes = _channels(texts, listed, known, table, leniency)
     base, values = common_base({x.place: (x.base, x.values) for x in parts}, leniency)
     channels = {
         x.kind.name: Channel(
             x.kind.name, x.kind.title, x.kind.dimension, values[x.place], filtered=x.filtered, notes=x.notes
         )
-        for x in sorted(parts, key=lambda x: list(CHANNELS).index(x.kind.name))
+        for x in sorted(parts, key=lambda x: list(known.kinds).index(x.kind.name))
     }
     conditions = mme_conditions(header, table, leniency) | mapped_conditions(mapping, table)
     recording = Recording(
@@ -118,6 +130,7 @@ def read_mme(path: Path, mapping: Mapping | None = None, *, lenient: bool = Fals
         conditions=MappingProxyType(conditions),
         notes=(*notes, *leniency.assumptions),
         source=path.name,
+        table=known,
     )
     shown = {words: line.value for words in _SHOWN if (line := header.find(words))}
     files = tuple(sorted(texts.files, key=lambda x: x.name))
@@ -190,7 +203,7 @@ def _code_of(texts: _Texts, name: str) -> str:
 
 
 def _channels(
-    texts: _Texts, listed: list[_Listed], table: CodeTable, leniency: Leniency
+    texts: _Texts, listed: list[_Listed], known: ChannelTable, table: CodeTable, leniency: Leniency
 ) -> tuple[list[MmeChannel], list[Reason]]:
     """Read the channels that certkit knows; the rest is noted."""
     label = texts.container.label
@@ -212,7 +225,7 @@ def _channels(
             texts.read(item.file),
             texts.container.place(item.file),
             item.code,
-            name,
+            known.kinds[name],
             table.signs.get(name, 1),
             leniency,
         )
@@ -223,7 +236,8 @@ def _channels(
     if not parts:
         seen = ", ".join(others[:3]) or "none"
         raise DataError(
-            f"{label}: no channel of a Flex-PLI among its codes ({seen}); a mapping file can name them"
+            f"{label}: no channel of a {known.impactor} among its codes ({seen}); "
+            "a mapping file can name them"
         )
     if others:
         notes.append(Reason.of("codes-not-used", codes=others))

@@ -55,7 +55,7 @@ def write_mme(
         When the target folder exists, or no channel has a code.
     """
     name = test or target.stem
-    files = mme_files(recording, name, header or {}, code_table(mapping))
+    files = mme_files(recording, name, header or {}, code_table(mapping, recording.table))
     if target.suffix.lower() == ".zip":
         write_whole(target, _zipped(files))
         return

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.channels import CHANNELS
 from certkit.documents.comparison import ChannelRating, ComparisonDocument, Overlay, Side
 from certkit.documents.result import ComparisonRow
 from certkit.documents.rounding import rounded_all
@@ -23,7 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.documents.result import Result
-    from certkit.signals import Recording
+    from certkit.signals import Channel, Recording
 
 FILTER = "CFC 180"
 MOST_POINTS = 600
@@ -65,7 +64,7 @@ def side_by_side(
     DataError
         When the tests share no channel or no time.
     """
-    shared = [name for name in CHANNELS if name in reference.recording and name in other.recording]
+    shared = [name for name in reference.recording.channels if name in other.recording]
     if not shared:
         raise DataError(
             f"{reference.side.label} and {other.side.label} share no channel; are the codes or heads mapped?"
@@ -78,10 +77,11 @@ def side_by_side(
     notes = [
         Reason.of("only-in", test=test.side.label, channels=left)
         for test in (reference, other)
-        if (left := [name for name in CHANNELS if name in test.recording and name not in shared])
+        if (left := [name for name in test.recording.channels if name not in shared])
     ]
     rows, said = _rows(reference, other, curves)
-    ratings = [_rating(name, *curves[name], slow=_step(reference, other) > SLOWEST) for name in shared]
+    slow = _step(reference, other) > SLOWEST
+    ratings = [_rating(reference.recording[name], *curves[name], slow=slow) for name in shared]
     overall = [rating.overall for rating in ratings if rating.overall is not None]
     mean = float(np.mean(overall)) if overall else None
     return ComparisonDocument(
@@ -94,7 +94,10 @@ def side_by_side(
         ratings=ratings,
         rating=mean,
         grade="" if mean is None else grade(mean),
-        overlays=[_overlay(name, *curves[name], begin, _step(reference, other)) for name in shared],
+        overlays=[
+            _overlay(reference.recording[name], *curves[name], begin, _step(reference, other))
+            for name in shared
+        ],
         coded_notes=[*notes, *said],
     ).with_id()
 
@@ -142,7 +145,7 @@ def _rows(
     pairs = _criteria(reference.result, other.result)
     said = Reason.of("values-of-criteria")
     if not pairs:
-        pairs = [_peaks(name, x, y) for name, (x, y, _) in curves.items()]
+        pairs = [_peaks(reference.recording[name], x, y) for name, (x, y, _) in curves.items()]
         said = Reason.of("values-of-peaks", filter=FILTER)
     largest: dict[str, float] = {}
     for _, unit, value, _ in pairs:
@@ -175,18 +178,17 @@ def _criteria(a: Result | None, b: Result | None) -> list[tuple[str, str, float,
     ]
 
 
-def _peaks(name: str, x: NDArray[np.float64], y: NDArray[np.float64]) -> tuple[str, str, float, float]:
+def _peaks(channel: Channel, x: NDArray[np.float64], y: NDArray[np.float64]) -> tuple[str, str, float, float]:
     """Return the reference's peak of a channel, and the other's on the same side, in the shown unit."""
-    dimension = CHANNELS[name].dimension
     sign = 1.0 if x[int(np.argmax(np.abs(x)))] >= 0 else -1.0
-    peaks = [sign * float((sign * v).max()) * dimension.scale for v in (x, y)]
-    return name, dimension.unit, peaks[0], peaks[1]
+    peaks = [sign * float((sign * v).max()) * channel.dimension.scale for v in (x, y)]
+    return channel.name, channel.dimension.unit, peaks[0], peaks[1]
 
 
 def _rating(
-    name: str, a: NDArray[np.float64], b: NDArray[np.float64], _: str, *, slow: bool
+    of: Channel, a: NDArray[np.float64], b: NDArray[np.float64], _: str, *, slow: bool
 ) -> ChannelRating:
-    title = CHANNELS[name].title
+    name, title = of.name, of.title
     if slow:
         return ChannelRating(channel=name, title=title, coded_reason=Reason.of("rated-too-slow"))
     try:
@@ -206,15 +208,14 @@ def _rating(
 
 
 def _overlay(
-    name: str, a: NDArray[np.float64], b: NDArray[np.float64], words: str, begin: float, step: float
+    of: Channel, a: NDArray[np.float64], b: NDArray[np.float64], words: str, begin: float, step: float
 ) -> Overlay:
-    kind = CHANNELS[name]
     stride = max(1, -(-a.size // MOST_POINTS))
-    x, y = (v[::stride] * kind.dimension.scale for v in (a, b))
+    x, y = (v[::stride] * of.dimension.scale for v in (a, b))
     return Overlay(
-        channel=name,
-        title=kind.title,
-        unit=kind.dimension.unit,
+        channel=of.name,
+        title=of.title,
+        unit=of.dimension.unit,
         filter=words,
         start=begin,
         interval=stride * step,

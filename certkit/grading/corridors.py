@@ -9,8 +9,9 @@ import numpy as np
 
 from certkit.definitions.channels import TIME, Dimension
 from certkit.definitions.corridor_set import Band, Polygon, ValueWindow
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.errors import UsageError
-from certkit.grading.measure import channel_name, quantity
+from certkit.grading.measure import quantity
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -18,13 +19,11 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from certkit.definitions.channels import ChannelTable
     from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.procedure import Criterion
     from certkit.definitions.provenance import Confidence
     from certkit.grading.measure import Trace
-
-IMPACTOR = "Flex-PLI"
-"""The legform that is graded here; corridors for another one hold nothing."""
 
 # What a measure is held against; all others need a window.
 KINDS: dict[str, type[Polygon | Band]] = {"curve in polygon": Polygon, "curve in band": Band}
@@ -57,7 +56,9 @@ class Missing:
     required: bool
 
 
-def find_corridor(criterion: Criterion, corridors: Mapping[str, CorridorSet]) -> Corridor | Missing:
+def find_corridor(
+    criterion: Criterion, corridors: Mapping[str, CorridorSet], channels: ChannelTable
+) -> Corridor | Missing:
     """Look a criterion's corridor up.
 
     A criterion without a corridor, or whose set awaits it, is informative. One whose set or entry is
@@ -74,8 +75,10 @@ def find_corridor(criterion: Criterion, corridors: Mapping[str, CorridorSet]) ->
     found = corridors.get(name)
     if found is None:
         return Missing(Reason.of("corridor-set-not-found", set=name), required=True)
-    if found.impactor != IMPACTOR:
-        return Missing(Reason.of("corridor-set-for-other", set=name, impactor=found.impactor), required=True)
+    if not made_for(found, channels):
+        return Missing(
+            Reason.of("corridor-set-for-other", set=name, impactor=impactor_of(found)), required=True
+        )
     if entry_name in found.awaited:
         return Missing(Reason.words(found.awaited[entry_name]), required=False)
     if entry_name not in found.entries:
@@ -90,6 +93,16 @@ def find_corridor(criterion: Criterion, corridors: Mapping[str, CorridorSet]) ->
     return Corridor(criterion.corridor, entry, entry.source or "", entry.confidence or "estimated")
 
 
+def impactor_of(found: CorridorSet) -> str:
+    """Return the impactor that a corridor set is for; that of the shipped legform where it names none."""
+    return found.impactor or default_channels().impactor
+
+
+def made_for(found: CorridorSet, channels: ChannelTable) -> bool:
+    """Tell whether a corridor set is for a legform's impactor."""
+    return impactor_of(found) == channels.impactor
+
+
 def limits(
     corridor: Corridor, window: ValueWindow, dimension: Dimension
 ) -> tuple[float | None, float | None]:
@@ -102,12 +115,12 @@ def limits(
 
 
 def polygon_corners(
-    corridor: Corridor, polygon: Polygon, criterion: Criterion, trace: Trace
+    corridor: Corridor, polygon: Polygon, criterion: Criterion, trace: Trace, channels: ChannelTable
 ) -> NDArray[np.float64]:
     """Return the polygon's corners in the plane of the criterion's curve, SI, shape (k, 2)."""
     curve = criterion.curve
-    drawn = None if curve is None else (channel_name(curve.x), channel_name(curve.y))
-    if drawn != (channel_name(polygon.x), channel_name(polygon.y)):
+    drawn = None if curve is None else (channels.name(curve.x), channels.name(curve.y))
+    if drawn != (channels.name(polygon.x), channels.name(polygon.y)):
         raise UsageError(
             f"corridor {corridor.name}: is a polygon of {polygon.y} over {polygon.x}, "
             f"which is not the plane of criterion {criterion.id}"

@@ -9,12 +9,12 @@ import numpy as np
 
 from certkit.definitions.corridor_set import Band as BandCorridor
 from certkit.definitions.corridor_set import Polygon, ValueWindow
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.documents.channel_curves import MOST_POINTS, plane_points
 from certkit.documents.result import CorridorOverTime, CriterionResult, CurveInPlane, Uncertainty
 from certkit.grading.corridor_distance import band_distance, end_faces, polygon_distance, refined
 from certkit.grading.corridors import Corridor, Missing, band_lines, find_corridor, limits, polygon_corners
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule, decide
-from certkit.grading.measure import MeasuredValue, channel_name
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.definitions.channels import Dimension
+    from certkit.definitions.channels import ChannelTable, Dimension
     from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.procedure import Criterion
-    from certkit.grading.measure import Trace
+    from certkit.grading.measure import MeasuredValue, Trace
 
 START_OF_CURVE = 0.1
 """Share of a curve's largest ordinate below which the margin is not taken: corridors begin narrow."""
@@ -46,12 +46,15 @@ class Judgement:
         Expanded uncertainty U (k = 2) by channel, SI.
     numerical : mapping of str to float
         Numerical uncertainty by criterion id, in the criterion's unit.
+    channels : ChannelTable, optional
+        Of the legform that was tested; the shipped one's when missing.
     """
 
     corridors: Mapping[str, CorridorSet]
     rule: DecisionRule = SIMPLE_ACCEPTANCE
     expanded: Mapping[str, float] = field(default_factory=dict)
     numerical: Mapping[str, float] = field(default_factory=dict)
+    channels: ChannelTable | None = None
 
 
 @dataclass(frozen=True)
@@ -85,10 +88,11 @@ def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Ju
     UsageError
         When criterion and corridor do not fit together (kinds, channels, units).
     """
-    found = find_corridor(criterion, judgement.corridors)
+    channels = judgement.channels or default_channels()
+    found = find_corridor(criterion, judgement.corridors, channels)
     corridor = found if isinstance(found, Corridor) else None
     missing = found if isinstance(found, Missing) else None
-    channel = channel_name(criterion.curve.y if criterion.curve is not None else criterion.channel or "")
+    channel = channels.name(criterion.curve.y if criterion.curve is not None else criterion.channel or "")
     common: dict[str, Any] = {
         "id": criterion.id,
         "title": criterion.title,
@@ -107,7 +111,7 @@ def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Ju
         return CriterionResult(
             value=None, unit=unit, verdict="not evaluated", coded_reason=measured.reason, **common
         )
-    held = _hold(criterion, measured, dimension, corridor)
+    held = _hold(criterion, measured, dimension, corridor, channels)
     scale = dimension.scale
     uncertainty = Uncertainty(
         numerical=judgement.numerical.get(criterion.id),
@@ -156,7 +160,11 @@ def _scaled(value: float | None, scale: float) -> float | None:
 
 
 def _hold(
-    criterion: Criterion, measured: MeasuredValue, dimension: Dimension, corridor: Corridor | None
+    criterion: Criterion,
+    measured: MeasuredValue,
+    dimension: Dimension,
+    corridor: Corridor | None,
+    channels: ChannelTable,
 ) -> _Held:
     """Bring value and limits together; a whole curve's value is its distance to the border, the limit 0."""
     entry = None if corridor is None else corridor.entry
@@ -168,7 +176,7 @@ def _hold(
     if corridor is None or isinstance(entry, ValueWindow) or entry is None:
         return _shown_only(trace, criterion.measure)
     if isinstance(entry, Polygon):
-        return _inside_polygon(trace, polygon_corners(corridor, entry, criterion, trace))
+        return _inside_polygon(trace, polygon_corners(corridor, entry, criterion, trace, channels))
     return _inside_band(trace, corridor, entry)
 
 

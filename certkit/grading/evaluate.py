@@ -66,11 +66,15 @@ def evaluate(
         When definitions do not fit together (units, kinds of corridor).
     """
     procedure, recording = measured.procedure, measured.recording
-    judgement = Judgement(terms.corridors, laboratory.decision, laboratory.uncertainties, simulated.numerical)
+    judgement = Judgement(
+        terms.corridors, laboratory.decision, laboratory.uncertainties, simulated.numerical, recording.table
+    )
     criteria = [grade_criterion(c, measured.values[c.id], judgement) for c in procedure.criteria]
     preconditions = [*grade_preconditions(procedure.preconditions, recording), *laboratory.checks]
     kind: Kind = "virtual certification" if recording.kind == "simulated" else "test evaluation"
-    scores, unscored = procedure_scores(procedure.score, terms.corridors, {c.id: c for c in criteria})
+    scores, unscored = procedure_scores(
+        procedure.score, terms.corridors, {c.id: c for c in criteria}, recording.table
+    )
     comparison = None if terms.reference is None else compare(terms.reference, criteria)
     said = remarks(
         kind,
@@ -114,14 +118,14 @@ def criterion_values(measured: Measurements) -> dict[str, float | None]:
 
     For whole curves it is the largest ordinate.
     """
-    blank = Judgement({})
+    blank = Judgement({}, channels=measured.recording.table)
     uncovered = [c.model_copy(update={"corridor": None}) for c in measured.procedure.criteria]
     return {c.id: grade_criterion(c, measured.values[c.id], blank).value for c in uncovered}
 
 
 def grade_criteria(measured: Measurements, corridors: Mapping[str, CorridorSet]) -> list[CriterionResult]:
     """Return the criteria alone, by simple acceptance: studies grade thousands of runs by it."""
-    judgement = Judgement(corridors)
+    judgement = Judgement(corridors, channels=measured.recording.table)
     return [grade_criterion(c, measured.values[c.id], judgement) for c in measured.procedure.criteria]
 
 

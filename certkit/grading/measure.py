@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.channels import TIME, Dimension, channel_kind
+from certkit.definitions.channels import TIME, Dimension
 from certkit.definitions.units import parse_quantity
 from certkit.errors import DataError, UsageError
 from certkit.reasons import Reason, UnusableError, reason_of
@@ -23,9 +23,6 @@ if TYPE_CHECKING:
 
     from certkit.definitions.procedure import Criterion
     from certkit.signals import AssessmentInterval, Filtered
-
-# Dimensions of channels whose quantities are written in the units of a more general one.
-WRITTEN_AS = {"elongation": "length", "displacement": "length"}
 
 REACHED = 1e-9
 """A level counts as reached this much (relative) below it: a relaxed load is never met to the last bit."""
@@ -85,12 +82,6 @@ class EvaluationWindow:
     end: float
 
 
-def channel_name(words: str) -> str:
-    """Return the short name of a channel that a procedure names by short name or by words."""
-    kind = channel_kind(words)
-    return kind.name if kind is not None else words
-
-
 def quantity(text: str, dimension: Dimension, where: str) -> float:
     """Read a quantity of a channel's dimension, SI.
 
@@ -100,7 +91,7 @@ def quantity(text: str, dimension: Dimension, where: str) -> float:
         When its unit is not one of the dimension; `where` says in which definition it stands.
     """
     try:
-        return parse_quantity(text, WRITTEN_AS.get(dimension.name, dimension.name))
+        return parse_quantity(text, dimension.quantity)
     except ValueError as error:
         raise UsageError(f"{where}: {error}") from error
 
@@ -132,8 +123,9 @@ def measure(
     UsageError
         When the criterion itself makes no sense (`value at` without `at`, a unit that does not fit).
     """
-    name = channel_name(_ordinate(criterion))
-    kind = channel_kind(name)
+    table = filtered.recording.table
+    name = table.name(_ordinate(criterion))
+    kind = table.find(name)
     known = filtered.recording.channels.get(name)
     dimension = known.dimension if known is not None else kind.dimension if kind is not None else None
     if criterion.interval == "assessment interval":
@@ -182,7 +174,8 @@ def _trace(criterion: Criterion, filtered: Filtered, window: EvaluationWindow) -
     time = filtered.recording.time
     slack = 1e-9 + 1e-6 * abs(filtered.recording.interval) if time.size > 1 else 1e-9
     inside = (time >= window.start - slack) & (time <= window.end + slack)
-    name = channel_name(_ordinate(criterion))
+    table = filtered.recording.table
+    name = table.name(_ordinate(criterion))
     values = filtered.values(name, criterion.filter)
     if not inside.any():
         begin, end = window.start * 1e3, window.end * 1e3
@@ -193,7 +186,7 @@ def _trace(criterion: Criterion, filtered: Filtered, window: EvaluationWindow) -
     y = filtered.recording[name]
     if criterion.curve is None:
         return Trace(time[inside], time[inside], values[inside], "time", y.title, TIME, y.dimension)
-    abscissa = channel_name(criterion.curve.x)
+    abscissa = table.name(criterion.curve.x)
     across = filtered.values(abscissa, criterion.filter)
     x = filtered.recording[abscissa]
     return Trace(time[inside], across[inside], values[inside], x.title, y.title, x.dimension, y.dimension)
@@ -205,7 +198,7 @@ def _value_at(
     """Read the channel where another one first reaches a value, by straight lines between samples."""
     if criterion.at is None:
         raise UsageError(f"criterion {criterion.id}: `value at` needs `at: {{channel: …, equals: …}}`")
-    name = channel_name(criterion.at.channel)
+    name = filtered.recording.table.name(criterion.at.channel)
     guide = criterion.model_copy(update={"channel": name, "curve": None})
     try:
         path = _trace(guide, filtered, window)

@@ -6,14 +6,15 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
-from certkit.grading.measure import EvaluationWindow, MeasuredValue, NoInterval, channel_name, measure
+from certkit.grading.measure import EvaluationWindow, MeasuredValue, NoInterval, measure
 from certkit.reasons import Reason, reason_of
 from certkit.signals import AssessmentInterval, Filtered, assessment_interval, condition
-from certkit.signals.interval import BONE_CHANNELS, MARGINAL_MOMENT
+from certkit.signals.interval import MARGINAL_MOMENT
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from certkit.definitions.channels import ChannelTable
     from certkit.definitions.procedure import Criterion, Procedure
     from certkit.signals import Recording
 
@@ -62,7 +63,7 @@ class Measurements:
         """Return the filter that each channel is drawn with: that of its first criterion."""
         found: dict[str, str] = {}
         for criterion in self.procedure.criteria:
-            for name in channels_of(criterion):
+            for name in channels_of(criterion, self.recording.table):
                 found.setdefault(name, criterion.filter)
         return found
 
@@ -87,10 +88,12 @@ def measure_all(procedure: Procedure, recording: Recording, *, lenient: bool = F
         When a criterion makes no sense.
     """
     conditioned = condition(recording, procedure, lenient=lenient)
-    wanted: list[tuple[str, str]] = [(name, c.filter) for c in procedure.criteria for name in channels_of(c)]
+    wanted: list[tuple[str, str]] = [
+        (name, c.filter) for c in procedure.criteria for name in channels_of(c, recording.table)
+    ]
     needs_interval = any(c.interval == "assessment interval" for c in procedure.criteria)
     if needs_interval:
-        wanted += [(name, INTERVAL_FILTER) for name in BONE_CHANNELS]
+        wanted += [(name, INTERVAL_FILTER) for name in recording.table.bone]
     filtered = Filtered(conditioned, wanted)
     interval = _interval(filtered) if needs_interval else NoInterval()
     window = _window(procedure, conditioned)
@@ -98,12 +101,12 @@ def measure_all(procedure: Procedure, recording: Recording, *, lenient: bool = F
     return Measurements(procedure, recording, filtered, window, interval, values)
 
 
-def channels_of(criterion: Criterion) -> list[str]:
-    """Return the short names of the channels that a criterion is measured on."""
+def channels_of(criterion: Criterion, table: ChannelTable) -> list[str]:
+    """Return the short names of the channels that a criterion is measured on, by the legform's table."""
     named = [criterion.channel, criterion.at.channel if criterion.at is not None else None]
     if criterion.curve is not None:
         named += [criterion.curve.x, criterion.curve.y]
-    return [channel_name(words) for words in named if words is not None]
+    return [table.name(words) for words in named if words is not None]
 
 
 def _window(procedure: Procedure, recording: Recording) -> EvaluationWindow:
@@ -118,7 +121,7 @@ def _window(procedure: Procedure, recording: Recording) -> EvaluationWindow:
 def _interval(filtered: Filtered) -> AssessmentInterval | NoInterval:
     """Find the assessment interval; it needs every bone moment, for the last of them ends it."""
     try:
-        moments = {name: filtered.values(name, INTERVAL_FILTER) for name in BONE_CHANNELS}
+        moments = {name: filtered.values(name, INTERVAL_FILTER) for name in filtered.recording.table.bone}
     except DataError as error:
         return NoInterval(Reason.of("no-assessment-interval", reason=reason_of(error)))
     found = assessment_interval(filtered.recording.time, moments)

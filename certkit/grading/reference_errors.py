@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from certkit.definitions.channels import CHANNELS
+from certkit.definitions.channels import DIMENSIONS
 from certkit.definitions.units import dimensions, parse_quantity
 from certkit.documents.result import Comparison, ComparisonRow
 from certkit.errors import UsageError
@@ -103,9 +103,9 @@ def _row(reference: Reference, criterion: CriterionResult, text: str) -> Compari
 def _shown(text: str, criterion: CriterionResult, reference: Reference) -> float:
     """Read a reference value and give it in the criterion's unit."""
     where = f"reference {reference.reference}, {criterion.id}"
-    kind = CHANNELS.get(criterion.channel)
-    if kind is not None and kind.dimension.unit == criterion.unit:
-        return quantity(text, kind.dimension, where) * kind.dimension.scale
+    dimension = next((d for d in DIMENSIONS.values() if d.unit == criterion.unit), None)
+    if dimension is not None:
+        return quantity(text, dimension, where) * dimension.scale
     for name in dimensions(text):
         try:
             return parse_quantity(text, name) / parse_quantity(f"1 {criterion.unit}", name)

@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 from certkit.definitions.units import parse_quantity
 from certkit.documents.result import ScoreResult
 from certkit.errors import UsageError
-from certkit.grading.corridors import IMPACTOR
+from certkit.grading.corridors import impactor_of, made_for
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from certkit.definitions.channels import ChannelTable
     from certkit.definitions.corridor_set import CorridorSet, Score
     from certkit.documents.result import CriterionResult
 
@@ -35,7 +36,10 @@ def points(value: float, full: float, zero: float, maximum: float) -> float:
 
 
 def procedure_scores(
-    named: str | None, corridors: Mapping[str, CorridorSet], criteria: Mapping[str, CriterionResult]
+    named: str | None,
+    corridors: Mapping[str, CorridorSet],
+    criteria: Mapping[str, CriterionResult],
+    channels: ChannelTable,
 ) -> tuple[list[ScoreResult], list[Reason]]:
     """Give the points of the rating scheme that a procedure names; none without one. See `grade_scores`.
 
@@ -47,14 +51,16 @@ def procedure_scores(
         By name.
     criteria : mapping of str to CriterionResult
         By their ids.
+    channels : ChannelTable
+        Of the legform that was tested.
     """
     if named is None:
         return [], []
     found = corridors.get(named)
     if found is None:
         return [], [Reason.of("score-set-not-found", set=named)]
-    if found.impactor != IMPACTOR:
-        return [], [Reason.of("score-set-for-other", set=named, impactor=found.impactor)]
+    if not made_for(found, channels):
+        return [], [Reason.of("score-set-for-other", set=named, impactor=impactor_of(found))]
     return grade_scores(found.scores, criteria)
 
 

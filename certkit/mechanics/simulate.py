@@ -152,6 +152,7 @@ def simulate(
         time=run.time,
         channels=channels(rig, rig.leg, run, readings),
         source=procedure.procedure,
+        table=legform.channel_table,
     )
     return Simulation(
         recording=_from_contact(recording, run),

@@ -6,19 +6,15 @@ from certkit.signals.filtered import Filtered
 from certkit.signals.interval import AssessmentInterval, assessment_interval
 from certkit.signals.iso18571 import Rating, rate, resampled
 from certkit.signals.recording import Channel, Recording
-from certkit.signals.vocabulary import CHANNELS, ChannelKind, channel_kind
 
 __all__ = [
-    "CHANNELS",
     "AssessmentInterval",
     "Channel",
-    "ChannelKind",
     "Filtered",
     "Rating",
     "Recording",
     "assessment_interval",
     "cfc",
-    "channel_kind",
     "condition",
     "rate",
     "resampled",

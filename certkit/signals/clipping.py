@@ -8,19 +8,12 @@ its own width beside the flat; a clipped one falls off by far more.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-AMPLITUDE_CLASS = MappingProxyType(
-    {**dict.fromkeys(("F1", "F2", "F3", "T1", "T2", "T3", "T4"), 400.0)}
-    | dict.fromkeys(("MCL", "LCL", "ACL", "PCL"), 0.030)
-)
-"""Channel amplitude classes, SI: 400 N·m for bones, 30 mm for ligaments (UN R127 / GTR 9, recalled)."""
 
 _FLAT_SAMPLES = 10
 _STEEP = 50.0  # digit steps

@@ -15,10 +15,10 @@ import numpy as np
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.errors import DataError
 from certkit.reasons import Reason
-from certkit.signals.clipping import AMPLITUDE_CLASS, find_clipping
+from certkit.signals.clipping import find_clipping
 from certkit.signals.noise import FREE_FLIGHT_NOISE, WINDOW, free_flight
 from certkit.signals.offset import MARGIN, SHORTEST, quiet_interval, remove_offset
-from certkit.signals.polarity import POSITIVE_CHANNELS, is_swapped
+from certkit.signals.polarity import is_swapped
 from certkit.signals.time_zero import TOLERANCE, first_contact, shifted
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class Situation:
         The legform flies before it, so there is a noise window and the record's last 30 ms before contact
         are not at rest.
     signs_known : bool
-        The signs of tibia moments and MCL are known beforehand.
+        The legform knows the signs of some of its channels beforehand.
     lenient : bool
         Turn swapped channels and keep clipped ones, with a note, instead of refusing them.
     """
@@ -116,7 +116,8 @@ def unclipped(recording: Recording, situation: Situation) -> Recording:
         return recording
 
     def check(channel: Channel) -> Channel:
-        clipping = find_clipping(channel.values, AMPLITUDE_CLASS.get(channel.name))
+        kind = recording.table.kinds.get(channel.name)
+        clipping = find_clipping(channel.values, kind.amplitude_class if kind else None)
         if clipping is None:
             return channel
         shown = f"{clipping.level * channel.dimension.scale:.6g} {channel.dimension.unit}"
@@ -179,12 +180,15 @@ def right_way_round(recording: Recording, situation: Situation) -> Recording:
     begin = int(np.searchsorted(recording.time, 0.0))
 
     def check(channel: Channel) -> Channel:
-        if channel.name not in POSITIVE_CHANNELS or not is_swapped(channel.values[begin:]):
+        kind = recording.table.kinds.get(channel.name)
+        sign = kind.sign if kind else 0
+        if not is_swapped(channel.values[begin:], sign):
             return channel
         if not situation.lenient:
             raise DataError(
                 f"{recording.source or 'recording'}: channel `{channel.name}` has its polarity swapped "
-                "(it should be positive here); turn its sign in the mapping, or let --lenient turn it"
+                f"(it should be {'positive' if sign > 0 else 'negative'} here); turn its sign in the "
+                "mapping, or let --lenient turn it"
             )
         return replace(channel, values=-channel.values, notes=(*channel.notes, Reason.of("sign-turned")))
 

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-BONE_CHANNELS = ("F1", "F2", "F3", "T1", "T2", "T3", "T4")
 MARGINAL_MOMENT = 15.0
 """N·m; maxima below it do not count."""
 

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.signals.interval import BONE_CHANNELS
-
 if TYPE_CHECKING:
     from certkit.signals.recording import Recording
 
@@ -48,7 +46,7 @@ def free_flight(recording: Recording) -> FreeFlightNoise | None:
     window = slice(int(np.searchsorted(time, -WINDOW)), int(np.searchsorted(time, 0.0)))
     largest = {
         name: float(np.abs(recording[name].values[window]).max())
-        for name in BONE_CHANNELS
+        for name in recording.table.bone
         if name in recording
     }
     if not largest or not all(np.isfinite(v) for v in largest.values()):

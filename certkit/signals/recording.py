@@ -11,10 +11,16 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from certkit.definitions.channels import ChannelTable, Dimension
     from certkit.reasons import Reason
-    from certkit.signals.vocabulary import Dimension
 
 Kind = Literal["simulated", "measured"]
+
+
+def _shipped() -> ChannelTable:
+    from certkit.definitions.loading.channel_tables import default_channels  # noqa: PLC0415  # reads a file
+
+    return default_channels()
 
 
 @dataclass(frozen=True)
@@ -64,6 +70,9 @@ class Recording:
         What a reader made or assumed of the test as a whole.
     source : str
         File or procedure it came from.
+    table : ChannelTable
+        The channels of the legform that was tested: what is known of them beforehand. The shipped legform's
+        when missing.
     """
 
     kind: Kind
@@ -72,6 +81,7 @@ class Recording:
     conditions: Mapping[str, float] = field(default_factory=dict)
     notes: tuple[Reason, ...] = ()
     source: str = ""
+    table: ChannelTable = field(default_factory=_shipped)
 
     def __getitem__(self, name: str) -> Channel:
         """Return the channel of that short name; KeyError when it was not recorded."""

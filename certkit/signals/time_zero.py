@@ -14,9 +14,6 @@ if TYPE_CHECKING:
 
     from certkit.signals.recording import Recording
 
-CONTACT_CHANNELS = ("contact force", "knee acceleration", "T1", "F1", "MCL")
-"""Channels that show contact, the quickest first."""
-
 TOLERANCE = 0.005
 """A trigger within 5 ms of the contact found on the channels is kept: tape switches are that good, s."""
 
@@ -35,8 +32,9 @@ class Contact:
 def first_contact(recording: Recording) -> Contact | None:
     """Find the first contact.
 
-    The channel must rise to 5 % of its peak; contact is where that rise leaves the noise (0.5 % of the
-    peak, or three standard deviations of the record's first 5 ms).
+    The legform names the channels that show it, the quickest first. The channel must rise to 5 % of its
+    peak; contact is where that rise leaves the noise (0.5 % of the peak, or three standard deviations of the
+    record's first 5 ms).
 
     Returns
     -------
@@ -47,7 +45,7 @@ def first_contact(recording: Recording) -> Contact | None:
     """
     found: Contact | None = None
     start = slice(0, max(10, int(np.searchsorted(recording.time, recording.time[0] + SHORTEST))))
-    for name in CONTACT_CHANNELS:
+    for name in recording.table.contact:
         if name not in recording or recording[name].values.size < start.stop:
             continue
         values = recording[name].values

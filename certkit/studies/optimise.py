@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from certkit.definitions.channels import channel_kind
 from certkit.definitions.corridor_set import ValueWindow
 from certkit.errors import RunError, UsageError
 from certkit.grading.corridors import Corridor, find_corridor, limits
@@ -111,9 +110,10 @@ def limits_of(trial: Trial) -> dict[str, Limit]:
     found = {}
     for name in trial.procedures:
         setup = trial.prepared(name, {})
+        channels = setup.legform.channel_table
         for criterion in setup.procedure.criteria:
-            corridor = find_corridor(criterion, setup.corridors)
-            kind = channel_kind(criterion.channel or "")
+            corridor = find_corridor(criterion, setup.corridors, channels)
+            kind = channels.find(criterion.channel or "")
             if (
                 kind is None
                 or not isinstance(corridor, Corridor)

@@ -10,19 +10,20 @@ How well it is followed:
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.channels import TIME, channel_kind
+from certkit.definitions.channels import TIME
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.errors import DataError, UsageError
 from certkit.signals import rate, resampled
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from certkit.definitions.channels import Dimension
+    from certkit.definitions.channels import ChannelTable, Dimension
     from certkit.signals import Filtered
 
 FINE = 2001
@@ -51,6 +52,8 @@ class RecordedCurve:
         Equally spaced places in the window, at which a fit sees the curve.
     scored : bool
         Whether the ISO/TS 18571 score is wanted.
+    table : ChannelTable
+        Channels of the legform that was recorded; the shipped one's when missing.
     """
 
     procedure: str
@@ -63,6 +66,7 @@ class RecordedCurve:
     end: float
     points: int = 40
     scored: bool = False
+    table: ChannelTable = field(default_factory=default_channels)
 
     @property
     def name(self) -> str:
@@ -72,12 +76,12 @@ class RecordedCurve:
     @property
     def dimension(self) -> Dimension:
         """Of the ordinate."""
-        return _dimension(self.ordinate)
+        return _dimension(self.ordinate, self.table)
 
     @property
     def across(self) -> Dimension:
         """Of the abscissa."""
-        return _dimension(self.abscissa) if self.abscissa else TIME
+        return _dimension(self.abscissa, self.table) if self.abscissa else TIME
 
     @property
     def places(self) -> NDArray[np.float64]:
@@ -157,8 +161,8 @@ def curve_of(
     return x[first], y[first]
 
 
-def _dimension(channel: str) -> Dimension:
-    kind = channel_kind(channel)
+def _dimension(channel: str, table: ChannelTable) -> Dimension:
+    kind = table.find(channel)
     if kind is None:
         raise UsageError(f"no channel is called `{channel}`")
     return kind.dimension

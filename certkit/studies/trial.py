@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 
 import certkit
 from certkit.bench.setup import PACKAGES, Setup, prepare
-from certkit.definitions.channels import channel_kind
 from certkit.grading import grade_criteria, grade_quality, measure_all, overall
 from certkit.signals import Filtered
 from certkit.studies.quantity import written
@@ -120,8 +119,11 @@ class Trial:
         """Return the units of criteria and their margins by output."""
         units: dict[str, str] = {}
         for name in self.procedures:
-            for criterion in self.prepared(name, {}).procedure.criteria:
-                kind = channel_kind(criterion.channel or (criterion.curve.y if criterion.curve else ""))
+            setup = self.prepared(name, {})
+            for criterion in setup.procedure.criteria:
+                kind = setup.legform.channel_table.find(
+                    criterion.channel or (criterion.curve.y if criterion.curve else "")
+                )
                 if kind is not None:
                     units[f"{name}/{criterion.id}"] = units[f"{name}/{criterion.id} margin"] = (
                         kind.dimension.unit

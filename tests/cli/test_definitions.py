@@ -66,7 +66,7 @@ def test_show_tells_each_numbers_origin_and_each_criterions_corridor(certkit: Co
 
 def test_show_finds_a_corridor_set_and_a_legform_by_name_alone(certkit: Command):
     assert "MCL-force\t" in certkit("show", "r127-static-knee").stdout
-    assert "femur.mass\t2.46 kg\trecalled" in certkit("show", "flex-pli-gtr").stdout
+    assert "parts.femur.mass\t2.46 kg\trecalled" in certkit("show", "flex-pli-gtr").stdout
 
 
 def test_show_lays_changes_open(certkit: Command):

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from support.command import Command
 
-STEEP = "legform.femur.bending stiffness=90 N·m²"
+STEEP = "legform.parts.femur.bending stiffness=90 N·m²"
 
 
 def test_a_pass_ends_with_0(certkit: Command) -> None:

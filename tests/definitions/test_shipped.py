@@ -182,8 +182,8 @@ def test_scores_for_another_legform_are_marked():
 
 def test_masses_of_the_parts_add_up_to_the_legs():
     leg = load("legform", "flex-pli-gtr").document
-    bones = leg.femur.mass + leg.knee.mass + leg.tibia.mass
+    bones = leg.parts["femur"].mass + leg.knee.mass + leg.parts["tibia"].mass
     assert bones == pytest.approx(9.38, abs=0.005)
     assert bones + leg.flesh.mass == pytest.approx(13.2, abs=0.005)
-    assert leg.femur.length + leg.knee.above_centre == pytest.approx(0.433)
-    assert leg.tibia.length + leg.knee.below_centre == pytest.approx(0.495)
+    assert leg.parts["femur"].length + leg.knee.above_centre == pytest.approx(0.433)
+    assert leg.parts["tibia"].length + leg.knee.below_centre == pytest.approx(0.495)

@@ -15,7 +15,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from certkit.definitions.channel_mapping import Mapping
-from certkit.definitions.channels import CHANNELS
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.errors import DataError, UsageError
 from certkit.exchange.channels_csv import csv_text, write_csv
 from certkit.exchange.codes import code_table
@@ -212,7 +212,7 @@ def test_columns_that_are_not_mapped_may_hold_anything(tmp_path: Path):
 
 def test_every_channel_has_a_code_that_means_it_alone():
     table = code_table()
-    assert set(table.codes) == set(CHANNELS)
-    for name in CHANNELS:
+    assert set(table.codes) == set(default_channels().kinds)
+    for name in default_channels().kinds:
         for filtered in ("", "CFC 180"):
             assert table.channel(table.code(name, filtered)) == name

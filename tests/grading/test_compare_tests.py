@@ -9,14 +9,17 @@ import numpy as np
 import pytest
 
 from certkit.bench.compare import compare
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.documents.comparison import ComparisonDocument
 from certkit.errors import DataError
 from certkit.exchange.channels_csv import write_csv
 from certkit.reporting.comparison_report import comparison_page, comparison_text
-from certkit.signals import CHANNELS, Channel, Recording
+from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+KINDS = default_channels().kinds
 
 
 def recording(
@@ -26,7 +29,12 @@ def recording(
     pulse = np.where((time > 0) & (time < 0.08), np.sin(np.pi * time / 0.08), 0.0)
     peaks = {"T1": 250.0, "T2": 200.0, "MCL": 0.022}
     channels = {
-        name: Channel(name, CHANNELS[name].title, CHANNELS[name].dimension, scale * peaks[name] * pulse)
+        name: Channel(
+            name,
+            KINDS[name].title,
+            KINDS[name].dimension,
+            scale * peaks[name] * pulse,
+        )
         for name in names
     }
     return Recording("measured", time, channels)

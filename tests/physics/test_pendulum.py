@@ -10,7 +10,6 @@ from support.pendulum_oracle import Pendulum, Pose, solve
 
 from certkit.definitions.loading.library import load
 from certkit.mechanics import simulate
-from certkit.mechanics.outputs.recorded_channels import stations
 
 if TYPE_CHECKING:
     from certkit.definitions.legform import Legform
@@ -37,7 +36,8 @@ def ours(legform: Legform, procedure: Procedure) -> dict[str, float]:
 
 
 def peaks(pendulum: Pendulum, legform: Legform, poses: list[Pose]) -> dict[str, float]:
-    heights = stations(legform.gauges).items()
+    gauges = {n: c for n, c in legform.channels.items() if c.measures == "bending moment"}
+    heights = {name: legform.gauge_height(channel) for name, channel in gauges.items()}.items()
     found = {name: max(pendulum.moment(pose, height) for pose in poses) for name, height in heights}
     return found | {
         name: max(pendulum.elongation(pose, name) for pose in poses) for name in ("MCL", "ACL", "PCL")

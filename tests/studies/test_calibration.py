@@ -28,8 +28,8 @@ SHEET: dict[str, Any] = {
     "legform": "flex-pli-gtr",
     "parameters": [
         {
-            "path": "legform.femur.bending stiffness",
-            "with": ["legform.tibia.bending stiffness"],
+            "path": "legform.parts.femur.bending stiffness",
+            "with": ["legform.parts.tibia.bending stiffness"],
             "lower": "100 N·m²",
             "upper": "250 N·m²",
             "reason": "for the test",
@@ -58,9 +58,9 @@ def test_a_fit_comes_nearer_and_its_files_give_what_it_says(tmp_path: Path) -> N
     report = json.loads((tmp_path / "fit.json").read_text())
     assert report["rms_after"] < report["rms_before"]
     leg = load("legform", tmp_path / "flex-pli-gtr.yaml").document
-    assert leg.femur.bending_stiffness == leg.tibia.bending_stiffness
-    assert leg.femur.bending_stiffness.confidence == "calibrated"
-    assert "two-numbers" in leg.femur.bending_stiffness.source
+    assert leg.parts["femur"].bending_stiffness == leg.parts["tibia"].bending_stiffness
+    assert leg.parts["femur"].bending_stiffness.confidence == "calibrated"
+    assert "two-numbers" in leg.parts["femur"].bending_stiffness.source
     # The written files, run again, give the values of the report to all of its digits.
     again = make_ready(
         changed(legform=str(tmp_path / "flex-pli-gtr.yaml"), search={"generations": 0, "steps": 0}),
@@ -148,7 +148,7 @@ def test_a_logarithmic_axis_goes_by_ratios_and_back() -> None:
     ("parts", "message"),
     [
         (
-            {"parameters": [{**SHEET["parameters"][0], "path": "legform.femur.stiffness"}]},
+            {"parameters": [{**SHEET["parameters"][0], "path": "legform.parts.femur.stiffness"}]},
             "no number of this path",
         ),
         ({"parameters": [{**SHEET["parameters"][0], "lower": "240 N·m²"}]}, "outside its bounds"),

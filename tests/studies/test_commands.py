@@ -21,7 +21,7 @@ title: A small study
 procedures: [inverse, pendulum]
 parameters:
   - {path: rig.ram.speed, procedure: inverse, uniform: [11.0 m/s, 11.2 m/s]}
-  - {path: legform.femur.bending stiffness, uniform: 2 %}
+  - {path: legform.parts.femur.bending stiffness, uniform: 2 %}
 design: {kind: latin hypercube, runs: 4, seed: 1}
 """
 

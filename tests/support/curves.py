@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from certkit.definitions.channels import CHANNELS
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ def half_sine(time: Floats, peak: float, *, duration: float = 0.06, start: float
 
 
 def channel(name: str, values: ArrayLike, *, filtered: str = ""):
-    kind = CHANNELS[name]
+    kind = default_channels().kinds[name]
     return Channel(name, kind.title, kind.dimension, np.asarray(values, dtype=float), filtered)
 
 

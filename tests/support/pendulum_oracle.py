@@ -86,7 +86,7 @@ class Pendulum:
             if a.part == b.part == "knee":
                 stiffness[i] = self.legform.knee.parallel_stiffness
                 continue
-            bone = getattr(self.legform, b.part if a.part == "knee" else a.part)
+            bone = self.legform.parts[b.part if a.part == "knee" else a.part]
             stiffness[i] = bone.bending_stiffness * bone.segments / bone.length
             stiffness[i] *= 1.0 if a.part == b.part else bone.block_joint
             damping[i] = bone.damping_time * stiffness[i]

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from certkit.definitions.channels import CHANNELS
 from certkit.definitions.corridor_set import CorridorSet
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.definitions.procedure import Criterion, Procedure
 from certkit.definitions.reference import Reference
 from certkit.documents.result import Provenance
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
+KINDS = default_channels().kinds
+
 TIME = np.arange(2001) * 1e-4
 PROVENANCE = Provenance(certkit="0", inputs=[], packages={})
 ORIGIN = {"source": "made up for this test", "confidence": "verified"}
@@ -37,7 +39,12 @@ def bump(peak: float, *, at: float = 0.05) -> Floats:
 
 def recording(values: dict[str, ArrayLike], *, time: Floats = TIME, kind: Kind = "simulated") -> Recording:
     channels = {
-        name: Channel(name, CHANNELS[name].title, CHANNELS[name].dimension, np.asarray(v, dtype=float))
+        name: Channel(
+            name,
+            KINDS[name].title,
+            KINDS[name].dimension,
+            np.asarray(v, dtype=float),
+        )
         for name, v in values.items()
     }
     return Recording(kind, time, channels, source="test.csv")

@@ -241,7 +241,7 @@ def document(**changes: object) -> dict[str, Any]:
         "motion": motion(),
         "parameters": [
             {
-                "path": "legform.femur.bending_stiffness",
+                "path": "legform.parts.femur.bending_stiffness",
                 "value": "182 N·m²",
                 "source": "fit flex-pli-gtr-1",
                 "confidence": "calibrated",

@@ -9,52 +9,44 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.base import words
-from certkit.definitions.channels import CHANNELS, channel_kind
 from certkit.definitions.fixtures import FIXTURES
+from certkit.definitions.legform import WHOLE
+from certkit.definitions.loading.channel_tables import DEFAULT_LEGFORM, default_channels
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.field_types import fields
+from certkit.definitions.loading.library import load
 from certkit.definitions.loading.search_path import is_name
 from certkit.definitions.procedure import MEASURES, Criterion
 from certkit.definitions.units import parse_quantity
+from certkit.errors import CertkitError
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from certkit.definitions.channels import ChannelTable
     from certkit.definitions.fixtures.fixture import Fixture
+    from certkit.definitions.legform import Legform
     from certkit.definitions.loading.faults import Steps
+    from certkit.definitions.loading.library import Library
     from certkit.definitions.loading.yaml_reader import Tree
     from certkit.errors import Problem
 
 Finding = tuple["Steps", str]
 
-_LIGAMENTS = ("MCL", "LCL", "ACL", "PCL")
 
-
-def check_procedure(tree: Tree) -> list[Problem]:
-    """Check the rig's fixtures, the specimen on it, and each criterion."""
+def check_procedure(tree: Tree, library: Library = ()) -> list[Problem]:
+    """Check fixtures, specimen and criteria, by the parts and channels of the legform that is named."""
     data = tree.data
-    values = [*_criteria(data.get("criteria")), *_quantities(data.get("preconditions"))]
+    legform = _legform(data, library)
+    channels = legform.channel_table if legform else default_channels()
+    values = [*_criteria(data.get("criteria"), channels), *_quantities(data.get("preconditions"))]
     values += [(steps, said) for steps, said in _names(data) if steps not in tree.changed]
+    values += _places(data, legform) if legform else []
     found = [tree.problem(steps, message, key=True) for steps, message in _fixtures(data)]
     return found + [tree.problem(steps, message) for steps, message in values]
 
 
-def check_legform(tree: Tree) -> list[Problem]:
-    """Check that the knee has its four ligaments."""
-    knee = tree.data.get("knee")
-    ligaments = knee.get("ligaments") if isinstance(knee, dict) else None
-    if not isinstance(ligaments, dict):
-        return []
-    steps: Steps = ("knee", "ligaments")
-    has = f"a knee has {', '.join(_LIGAMENTS)}"
-    found = [(steps, f"`{name}` is missing; {has}") for name in _LIGAMENTS if name not in ligaments]
-    found += [
-        ((*steps, name), f"`{name}` is no ligament; {has}") for name in ligaments if name not in _LIGAMENTS
-    ]
-    return [tree.problem(where, message, key=True) for where, message in found]
-
-
-def check_vehicle(tree: Tree) -> list[Problem]:
+def check_vehicle(tree: Tree, library: Library = ()) -> list[Problem]:  # noqa: ARG001  # one signature
     """Check that springs lie between groups of this vehicle."""
     groups, springs = tree.data.get("groups"), tree.data.get("springs")
     if not isinstance(groups, dict) or not isinstance(springs, dict):
@@ -76,8 +68,13 @@ def check_vehicle(tree: Tree) -> list[Problem]:
     return [tree.problem(where, message) for where, message in found]
 
 
-def check_reference(tree: Tree) -> list[Problem]:
-    """Check that values have their channel's unit, and that published ones stand beside measured ones."""
+def check_reference(tree: Tree, library: Library = ()) -> list[Problem]:  # noqa: ARG001  # one signature
+    """Check that values have their channel's unit, and that published ones stand beside measured ones.
+
+    Values go by criterion ids. Those of the shipped legform's channels are checked; what another legform
+    measures under other names shows when it is compared.
+    """
+    channels = default_channels()
     found: list[Finding] = []
     values = tree.data.get("values")
     for key in ("values", "published"):
@@ -86,8 +83,8 @@ def check_reference(tree: Tree) -> list[Problem]:
             if key == "published" and isinstance(values, dict) and name not in values:
                 message = f"`{name}` has no value to stand beside; {suggestion(name, list(values))}"
                 found.append(((key, name), message))
-            elif name in CHANNELS and isinstance(text, str):
-                found += [((key, name), said) for said in _unfit(text, name)]
+            elif name in channels.kinds and isinstance(text, str):
+                found += [((key, name), said) for said in _unfit(text, name, channels)]
     return [tree.problem(where, message) for where, message in found]
 
 
@@ -142,6 +139,32 @@ def _conditions(data: dict[str, Any], fixtures: list[type[Fixture]]) -> Iterator
             yield ("preconditions", index), f"`{quantity}` is a condition of {named}, which is not on the rig"
 
 
+def _legform(data: dict[str, Any], library: Library) -> Legform | None:
+    """Return the legform that a procedure names; None where there is no such one, which is told elsewhere."""
+    specimen = data.get("specimen")
+    name = specimen.get("legform", DEFAULT_LEGFORM) if isinstance(specimen, dict) else DEFAULT_LEGFORM
+    if not isinstance(name, str) or not is_name(name):
+        return None
+    try:
+        return load("legform", name, library=library).document
+    except CertkitError:
+        return None
+
+
+def _places(data: dict[str, Any], legform: Legform) -> Iterator[Finding]:
+    """Check that the specimen is a part of the legform, and that fixtures are at its ends."""
+    specimen, rig = data.get("specimen"), data.get("rig")
+    part = specimen.get("part") if isinstance(specimen, dict) else None
+    known = [WHOLE, *legform.chain]
+    if isinstance(part, str) and part not in known:
+        yield ("specimen", "part"), f"`{legform.legform}` has no part `{part}`; {suggestion(part, known)}"
+    ends = legform.ends
+    for name, fixture in rig.items() if isinstance(rig, dict) else ():
+        at = fixture.get("at") if isinstance(fixture, dict) else None
+        if isinstance(at, str) and at not in ends:
+            yield ("rig", name, "at"), f"`{at}` is no end of the leg; {suggestion(at, ends)}"
+
+
 def _names(data: dict[str, Any]) -> Iterator[Finding]:
     """Refuse paths where a file names other definitions: names are looked for in the libraries only."""
     specimen = data.get("specimen")
@@ -157,7 +180,7 @@ def _names(data: dict[str, Any]) -> Iterator[Finding]:
             yield steps, f"`{name}` is no name; write it without folders and ending"
 
 
-def _criteria(criteria: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML data
+def _criteria(criteria: Any, channels: ChannelTable) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML data
     seen: set[str] = set()
     for index, criterion in enumerate(criteria if isinstance(criteria, list) else ()):
         if not isinstance(criterion, dict):
@@ -167,10 +190,10 @@ def _criteria(criteria: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML d
         if isinstance(name, str) and name in seen:
             yield (*steps, "id"), f"`{name}` is the id of a criterion already; ids are unique"
         seen.add(str(name))
-        yield from (((*steps, *way), said) for way, said in _criterion(criterion))
+        yield from (((*steps, *way), said) for way, said in _criterion(criterion, channels))
 
 
-def _criterion(criterion: dict[str, Any]) -> Iterator[Finding]:
+def _criterion(criterion: dict[str, Any], channels: ChannelTable) -> Iterator[Finding]:
     measure, channel, curve = (criterion.get(key) for key in ("measure", "channel", "curve"))
     misspelt = set(criterion) - set(fields(Criterion))
     if measure in MEASURES and not misspelt:
@@ -178,32 +201,32 @@ def _criterion(criterion: dict[str, Any]) -> Iterator[Finding]:
         if drawn and curve is None:
             yield ("measure",), "`curve in polygon` needs a `curve: {x: …, y: …}` of two channels"
         if not drawn and channel is None:
-            yield ("measure",), f"`{measure}` needs a `channel`; {suggestion('', list(CHANNELS))}"
+            yield ("measure",), f"`{measure}` needs a `channel`; {suggestion('', list(channels.kinds))}"
         if measure == "value at" and criterion.get("at") is None:
             yield ("measure",), "`value at` needs `at: {channel: …, equals: …}`"
-    yield from _channel(("channel",), channel)
+    yield from _channel(("channel",), channel, channels)
     if isinstance(curve, dict):
         for axis in ("x", "y"):
-            yield from _channel(("curve", axis), curve.get(axis))
+            yield from _channel(("curve", axis), curve.get(axis), channels)
     at = criterion.get("at")
     if isinstance(at, dict):
-        yield from _channel(("at", "channel"), at.get("channel"))
+        yield from _channel(("at", "channel"), at.get("channel"), channels)
         if isinstance(at.get("channel"), str) and isinstance(at.get("equals"), str):
-            yield from ((("at", "equals"), said) for said in _unfit(at["equals"], at["channel"]))
+            yield from ((("at", "equals"), said) for said in _unfit(at["equals"], at["channel"], channels))
     corridor = criterion.get("corridor")
     if isinstance(corridor, str) and not all(corridor.partition("/")):
         yield ("corridor",), f"`{corridor}` has to be written set/entry, such as `r127-pendulum/T1`"
 
 
-def _channel(steps: Steps, name: Any) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML data
-    if isinstance(name, str) and channel_kind(name) is None:
-        known = [word for kind in CHANNELS.values() for word in (kind.name, kind.title)]
+def _channel(steps: Steps, name: Any, channels: ChannelTable) -> Iterator[Finding]:  # noqa: ANN401  # raw YAML data
+    if isinstance(name, str) and channels.find(name) is None:
+        known = [word for kind in channels.kinds.values() for word in (kind.name, kind.title)]
         yield steps, f"no channel is called `{name}`; {suggestion(name, known)}"
 
 
-def _unfit(text: str, channel: str) -> Iterator[str]:
+def _unfit(text: str, channel: str, channels: ChannelTable) -> Iterator[str]:
     """Yield what is wrong with a quantity that should be one of the channel's."""
-    kind = channel_kind(channel)
+    kind = channels.find(channel)
     if kind is None:
         return
     try:

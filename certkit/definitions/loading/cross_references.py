@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.definitions.channels import channel_kind
 from certkit.definitions.corridor_set import Band, CorridorSet, Polygon, ValueWindow
+from certkit.definitions.loading.channel_tables import default_channels, legform_channels
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import find, load
@@ -15,6 +15,7 @@ from certkit.errors import DefinitionError, UsageError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from certkit.definitions.channels import ChannelTable
     from certkit.definitions.loading.faults import Fault
     from certkit.definitions.loading.library import Library
     from certkit.definitions.loading.yaml_reader import Tree
@@ -63,6 +64,7 @@ def _names(procedure: Procedure, library: Library) -> Iterator[Fault]:
 
 def _corridors(procedure: Procedure, library: Library) -> Iterator[Fault]:
     sets: dict[str, CorridorSet | str] = {}
+    channels = legform_channels(procedure.specimen.legform, library)
     for index, criterion in enumerate(procedure.criteria):
         if criterion.corridor is None:
             continue
@@ -74,7 +76,7 @@ def _corridors(procedure: Procedure, library: Library) -> Iterator[Fault]:
         elif entry not in known.entries:
             yield steps, f"the set `{name}` has no `{entry}`; {suggestion(entry, known.entries)}"
         else:
-            yield from ((steps, said) for said in _unfit(criterion, known.entry(entry)))
+            yield from ((steps, said) for said in _unfit(criterion, known.entry(entry), channels))
 
 
 def _set(name: str, library: Library) -> CorridorSet | str:
@@ -87,7 +89,9 @@ def _set(name: str, library: Library) -> CorridorSet | str:
         return f"the set `{name}` has errors of its own: {error.problems[0]}"
 
 
-def _unfit(criterion: Criterion, corridor: ValueWindow | Polygon | Band | None) -> Iterator[str]:
+def _unfit(
+    criterion: Criterion, corridor: ValueWindow | Polygon | Band | None, channels: ChannelTable
+) -> Iterator[str]:
     """Yield why a criterion cannot be held against its corridor; an awaited one always fits."""
     if corridor is None:
         return
@@ -96,12 +100,12 @@ def _unfit(criterion: Criterion, corridor: ValueWindow | Polygon | Band | None) 
         yield f"is a {_WORDS[type(corridor)]}, but `{criterion.measure}` is held against a {_WORDS[wanted]}"
     elif isinstance(corridor, Polygon):
         for axis in ("x", "y"):
-            drawn, asked = (channel_kind(getattr(side, axis, "")) for side in (criterion.curve, corridor))
+            drawn, asked = (channels.find(getattr(side, axis, "")) for side in (criterion.curve, corridor))
             if drawn != asked:
                 title = asked.title if asked else getattr(corridor, axis)
                 yield f"has {title} on its {axis} axis; the criterion's curve has another channel there"
     elif isinstance(corridor, ValueWindow):
-        kind = channel_kind(criterion.channel or "")
+        kind = channels.find(criterion.channel or "")
         quantity = "time" if criterion.measure == "time of max" else kind.dimension.quantity if kind else None
         for text in (corridor.lower, corridor.upper):
             if text is not None and quantity is not None:
@@ -123,5 +127,8 @@ def _score(procedure: Procedure, library: Library) -> Iterator[Fault]:
         yield ("score",), known
     elif not known.scores:
         yield ("score",), f"the set `{procedure.score}` has no scores"
-    elif known.impactor != "Flex-PLI":
-        yield ("score",), f"the set `{procedure.score}` is for the {known.impactor}, not for the Flex-PLI"
+    else:
+        impactor = legform_channels(procedure.specimen.legform, library).impactor
+        if (known.impactor or default_channels().impactor) != impactor:
+            message = f"the set `{procedure.score}` is for the {known.impactor}, not for the {impactor}"
+            yield ("score",), message

@@ -10,14 +10,15 @@ from typing import TYPE_CHECKING, cast
 from certkit.errors import UsageError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
     from pydantic import BaseModel
 
     from certkit.definitions.loading.old_forms import Modernise
     from certkit.definitions.loading.overrides import Overrides
-    from certkit.definitions.loading.validation import Check
     from certkit.definitions.loading.yaml_reader import Tree
+    from certkit.errors import Problem
 
 
 @dataclass(frozen=True)
@@ -73,9 +74,9 @@ class Kind:
         return cast("type[BaseModel]", _named(self.home))
 
     @property
-    def check(self) -> Check | None:
-        """Return the check of the whole file, if there is one."""
-        return cast("Check", _named(self.checks)) if self.checks else None
+    def check(self) -> Callable[..., list[Problem]] | None:
+        """Return the check of a whole file, if there is one: of its tree, asking a `library`."""
+        return cast("Callable[..., list[Problem]]", _named(self.checks)) if self.checks else None
 
     def today(
         self, tree: Tree, overrides: Overrides | None = None
@@ -107,7 +108,7 @@ _ALL = (
         "masses, stiffnesses and geometry of a leg",
         "legform:Legform",
         "models/legforms",
-        "loading.consistency_checks:check_legform",
+        old_forms="loading.old_forms:legform",
     ),
     Kind(
         "vehicle",

@@ -9,6 +9,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache, partial
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic, Literal, TypeVar, overload
@@ -141,10 +142,20 @@ def load(
         With all problems of the file.
     """
     known = kind_of(kind)
-    return parse(known, find(known, name, library), overrides)
+    found = find(known, name, library)
+    if known.word == "legform" and not overrides:  # a procedure's check has read it before it is wanted
+        return _parsed_legform(found)
+    return parse(known, found, overrides, library)
 
 
-def parse(kind: Kind, found: Found, overrides: Overrides | None = None) -> Loaded[BaseModel]:
+@lru_cache(maxsize=16)
+def _parsed_legform(found: Found) -> Loaded[BaseModel]:
+    return parse(kind_of("legform"), found)
+
+
+def parse(
+    kind: Kind, found: Found, overrides: Overrides | None = None, library: Library = ()
+) -> Loaded[BaseModel]:
     """Read a found definition; see `load`."""
     model = kind.model
     tree, overrides, remarks = kind.today(read_tree(found.data, found.file), overrides or {})
@@ -152,7 +163,8 @@ def parse(kind: Kind, found: Found, overrides: Overrides | None = None) -> Loade
     numbered = tuple(entry.remark for entry in changes if entry.remark)
     for remark in numbered:
         warnings.warn(remark, OldFormWarning, stacklevel=2)
-    document = validate(tree, model, kind.check)
+    check = kind.check
+    document = validate(tree, model, partial(check, library=library) if check else None)
     own = getattr(document, kind.word)
     if kind.word != "laboratory" and not is_name(own):
         # Folders and files are called after it, so it must not lead to any other.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from certkit.definitions.loading.catalogue import catalogue
@@ -63,7 +64,8 @@ def _survey(found: Found, kind: Kind | None, library: Library) -> Surveyed:
         tree = read_tree(found.data, found.file)
         known = kind or kind_in(tree)
         tree, _, _ = known.today(tree)
-        document = validate(tree, known.model, known.check)
+        check = known.check
+        document = validate(tree, known.model, partial(check, library=library) if check else None)
     except DefinitionError as error:
         return found.file, error.problems
     if not isinstance(document, Procedure):

@@ -13,6 +13,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.loading.error_messages import plain
+from certkit.definitions.loading.search_path import shipped_root
+from certkit.definitions.loading.yaml_reader import Tree, read_tree
 from certkit.errors import OldFormWarning
 
 if TYPE_CHECKING:
@@ -20,7 +22,6 @@ if TYPE_CHECKING:
 
     from certkit.definitions.loading.faults import Steps
     from certkit.definitions.loading.overrides import Overrides
-    from certkit.definitions.loading.yaml_reader import Tree
 
 
 @dataclass(frozen=True)
@@ -129,3 +130,43 @@ def spring_names(ends: Sequence[object]) -> list[str]:
             name, number = f"{base}, {number}", number + 1
         names.append(name)
     return names
+
+
+def legform(data: dict[str, Any]) -> Moved:
+    """Parts stood at the top, gauges in a section of their own; all had the shipped legform's channels."""
+    known = data.get("channels")
+    moves: dict[Steps, Steps] = {(part,): ("parts", part) for part in ("femur", "tibia")}
+    if "parts" in data or not {"femur", "tibia"} & set(data):
+        named = known if isinstance(known, dict) else {}
+        moves |= {("gauges", name): ("channels", name, "from knee centre") for name in named}
+        return Moved(data, moves)
+    shipped = _shipped_legform()
+    given = data.get("gauges")
+    gauges: dict[str, Any] = given if isinstance(given, dict) else {}
+    origin: Any = gauges.get("origin")
+    channels: dict[str, Any] = {name: dict(channel) for name, channel in shipped["channels"].items()}
+    for name, place in gauges.items():
+        if name in channels:
+            bare = isinstance(origin, dict) and not isinstance(place, dict)
+            channels[name]["from knee centre"] = {"value": place} | origin if bare else place
+            moves["gauges", name] = ("channels", name, "from knee centre")
+    knee = data.get("knee")
+    today = {
+        "impactor": shipped["impactor"],
+        "fine location": shipped["fine location"],
+        **{key: value for key, value in data.items() if key not in {"femur", "tibia", "gauges", "knee"}},
+        "parts": {part: data[part] for part in ("femur", "tibia") if part in data},
+        "knee": {"between": ["femur", "tibia"]} | knee if isinstance(knee, dict) else knee,
+        "channels": channels,
+        "evaluation": shipped["evaluation"],
+    }
+    remark = (
+        "`femur`, `tibia` and `gauges` are an old form; write the bones under `parts:`, from the top down, "
+        f"and the gauges under `channels:`, as in the shipped legform `{shipped['legform']}`"
+    )
+    return Moved(today, moves, remark)
+
+
+def _shipped_legform() -> dict[str, Any]:
+    path = shipped_root() / "models" / "legforms" / "flex-pli-gtr.yaml"
+    return read_tree(path.read_bytes(), path.name).data

@@ -14,13 +14,17 @@ from certkit.errors import DefinitionError, Problem
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from certkit.definitions.channels import ChannelTable
+
 D = TypeVar("D", bound=BaseModel)
 
 Check = Callable[[Tree], list[Problem]]
 """Looks at a whole file for what no single value can show."""
 
 
-def validate(tree: Tree, model: type[D], check: Check | None = None) -> D:
+def validate(
+    tree: Tree, model: type[D], check: Check | None = None, channels: ChannelTable | None = None
+) -> D:
     """Make the document of a tree.
 
     Parameters
@@ -31,6 +35,8 @@ def validate(tree: Tree, model: type[D], check: Check | None = None) -> D:
         The document's class.
     check : callable, optional
         Finds problems between values; runs also when single values are wrong.
+    channels : ChannelTable, optional
+        Channels that the file may name; the shipped legform's when missing.
 
     Raises
     ------
@@ -40,7 +46,7 @@ def validate(tree: Tree, model: type[D], check: Check | None = None) -> D:
     found = list(tree.problems)
     document = None
     try:
-        document = model.model_validate(tree.data)
+        document = model.model_validate(tree.data, context={"channels": channels})
     except ValidationError as error:
         found += problems(error, tree, model)
     if check is not None:
@@ -50,7 +56,7 @@ def validate(tree: Tree, model: type[D], check: Check | None = None) -> D:
     return document
 
 
-def read_document(path: Path, model: type[D]) -> D:
+def read_document(path: Path, model: type[D], channels: ChannelTable | None = None) -> D:
     """Read a file that is no part of the library, such as a laboratory's or a case's.
 
     Raises
@@ -58,7 +64,7 @@ def read_document(path: Path, model: type[D]) -> D:
     DefinitionError
         When it is missing or cannot be read, and with all problems that it has.
     """
-    return validate(read_tree(read_bytes(path), str(path)), model)
+    return validate(read_tree(read_bytes(path), str(path)), model, channels=channels)
 
 
 def read_bytes(path: Path) -> bytes:

@@ -11,7 +11,8 @@ from certkit.mechanics.force_laws.ligament_cable import LigamentCable
 from certkit.mechanics.force_laws.sliding_guide import SlidingGuide
 
 if TYPE_CHECKING:
-    from certkit.definitions.legform import Knee, Legform
+    from certkit.definitions.legform import Legform
+    from certkit.definitions.legform_parts import Knee
     from certkit.mechanics.solver.world import Assembly
 
 TANGENTIAL = 0.5

@@ -6,15 +6,19 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from certkit.definitions.legform import KNEE
 from certkit.mechanics.force_laws.flesh_suspension import FleshSuspension
 from certkit.mechanics.force_laws.joint_spring import JointSpring
 from certkit.mechanics.force_laws.ligament_cable import LigamentCable
+from certkit.mechanics.legform.bone_joint import is_rigid, joint_spring, jointed_bone, part_joint
 from certkit.mechanics.legform.knee import join_knee
+from certkit.mechanics.legform.segments import assembled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.definitions.legform import Bone, Flesh, Legform
+    from certkit.definitions.legform import Legform
+    from certkit.definitions.legform_parts import Flesh
     from certkit.mechanics.legform.segments import Segment
     from certkit.mechanics.solver.world import Assembly
 
@@ -37,7 +41,9 @@ class Leg:
     segments : tuple of Segment
         From top to bottom.
     bodies : tuple of int
-        Their bodies.
+        Their bodies; segments of two parts that are joined rigidly share one.
+    centres : tuple of float
+        Height of the centre of gravity of each one's body.
     joints : tuple of Joint
         Rotational springs of the bones, from top to bottom; at a knee block's end with the block's stiffness.
     ligaments : dict of str to int
@@ -50,6 +56,7 @@ class Leg:
 
     segments: tuple[Segment, ...]
     bodies: tuple[int, ...]
+    centres: tuple[float, ...]
     joints: tuple[Joint, ...]
     ligaments: dict[str, int]
     knee_row: int
@@ -68,7 +75,7 @@ class Leg:
     @property
     def blocks(self) -> tuple[int, int]:
         """Return the bodies of the knee's femur and tibia block."""
-        upper, lower = (b for b, s in zip(self.bodies, self.segments, strict=True) if s.part == "knee")
+        upper, lower = (b for b, s in zip(self.bodies, self.segments, strict=True) if s.part == KNEE)
         return upper, lower
 
 
@@ -76,55 +83,65 @@ def add_leg(
     assembly: Assembly, legform: Legform, segments: Sequence[Segment], *, flesh: bool, damping: float = 0.0
 ) -> Leg:
     """Build the segments, their joints, the knee and, where fitted, the flesh."""
-    counts: dict[str, int] = {}
-    bodies = []
-    for segment in segments:
-        counts[segment.part] = counts.get(segment.part, 0) + 1
-        bodies.append(
-            assembly.add_body(
-                f"{segment.part} {counts[segment.part]}",
-                segment.mass,
-                segment.inertia,
-                (0.0, segment.centre, 0.0),
-                damping=damping,
-            )
-        )
+    bodies, centres = _add_bodies(assembly, legform, segments, damping)
     joints: list[Joint] = []
     ligaments: dict[str, int] = {}
     knee_row = -1
     for upper, lower, a, b in zip(segments, segments[1:], bodies, bodies[1:], strict=False):
-        if upper.part == lower.part == "knee":
+        if a == b:
+            continue
+        if upper.part == lower.part == KNEE:
             ligaments, knee_row = join_knee(assembly, legform, (a, b), (upper.centre, lower.centre))
             continue
         assembly.add_pivot(a, b, 0.0, upper.bottom)
-        part = lower.part if upper.part == "knee" else upper.part
-        bone = legform.femur if part == "femur" else legform.tibia
-        factor = 1.0 if upper.part == lower.part else float(bone.block_joint)
-        joints.append(Joint(_add_joint(assembly, bone, a, b, factor), upper.bottom, part))
-        if flesh and legform.flesh.bending_stiffness is not None:
+        part = lower.part if upper.part == KNEE else upper.part
+        row = assembly.add(joint_spring(legform, (a, b), upper.part, lower.part))
+        joints.append(Joint(row, upper.bottom, part))
+        sleeve = flesh and legform.flesh.bending_stiffness is not None
+        if sleeve and part_joint(legform, upper.part, lower.part) is None:
+            bone, factor = jointed_bone(legform, upper.part, lower.part)
             _add_sleeve(assembly, legform.flesh, a, b, factor * bone.segments / bone.length)
     return Leg(
         segments=tuple(segments),
-        bodies=tuple(bodies),
+        bodies=bodies,
+        centres=centres,
         joints=tuple(joints),
         ligaments=ligaments,
         knee_row=knee_row,
-        flesh=_add_flesh(assembly, legform, segments, bodies) if flesh else (),
+        flesh=_add_flesh(assembly, legform, segments, bodies, centres) if flesh else (),
     )
 
 
-def _add_joint(assembly: Assembly, bone: Bone, upper: int, lower: int, factor: float) -> int:
-    stiffness = factor * bone.bending_stiffness * bone.segments / bone.length
-    return assembly.add(
-        JointSpring(
-            upper=upper,
-            lower=lower,
-            stiffness=stiffness,
-            damping=stiffness * bone.damping_time,
-            cable_angle=bone.cable_angle,
-            cable_stiffness=bone.cable_stiffness,
+def _add_bodies(
+    assembly: Assembly, legform: Legform, segments: Sequence[Segment], damping: float
+) -> tuple[tuple[int, ...], tuple[float, ...]]:
+    """Add a body a segment, one for segments held rigidly; return bodies and their centres."""
+    counts: dict[str, int] = {}
+    bodies: list[int] = []
+    centres: list[float] = []
+    for rigid in _rigid_runs(legform, segments):
+        first = rigid[0].part
+        counts[first] = counts.get(first, 0) + 1
+        mass, centre, inertia = (
+            (rigid[0].mass, rigid[0].centre, rigid[0].inertia) if len(rigid) == 1 else assembled(rigid)
         )
-    )
+        body = assembly.add_body(
+            f"{first} {counts[first]}", mass, inertia, (0.0, centre, 0.0), damping=damping
+        )
+        bodies += [body] * len(rigid)
+        centres += [centre] * len(rigid)
+    return tuple(bodies), tuple(centres)
+
+
+def _rigid_runs(legform: Legform, segments: Sequence[Segment]) -> list[list[Segment]]:
+    """Return the segments in runs that are held rigidly: across parts without a joint between them."""
+    runs: list[list[Segment]] = []
+    for segment in segments:
+        if runs and is_rigid(legform, runs[-1][-1].part, segment.part):
+            runs[-1].append(segment)
+        else:
+            runs.append([segment])
+    return runs
 
 
 def _add_sleeve(assembly: Assembly, flesh: Flesh, upper: int, lower: int, curvature: float) -> None:
@@ -143,14 +160,18 @@ def _add_sleeve(assembly: Assembly, flesh: Flesh, upper: int, lower: int, curvat
 
 
 def _add_flesh(
-    assembly: Assembly, legform: Legform, segments: Sequence[Segment], bodies: Sequence[int]
+    assembly: Assembly,
+    legform: Legform,
+    segments: Sequence[Segment],
+    bodies: Sequence[int],
+    centres: Sequence[float],
 ) -> tuple[int, ...]:
     """Put one mass on each segment, spread evenly over the leg's length, and tie neighbours together."""
     flesh = legform.flesh
     total = sum(segment.length for segment in segments)
     masses = []
     heights = []
-    for i, (segment, bone) in enumerate(zip(segments, bodies, strict=True)):
+    for i, (segment, bone, centre) in enumerate(zip(segments, bodies, centres, strict=True)):
         mass = flesh.mass * segment.length / total
         height = (segment.top + segment.bottom) / 2
         body = assembly.add_body(f"flesh {i + 1}", mass, 0.0, (0.0, height, 0.0))
@@ -159,7 +180,7 @@ def _add_flesh(
             FleshSuspension(
                 bone=bone,
                 flesh=body,
-                height=height - segment.centre,
+                height=height - centre,
                 stiffness_across=mass * across**2,
                 stiffness_along=mass * along**2,
                 damping_across=2 * flesh.damping_ratio * mass * across,

@@ -3,24 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.definitions.legform import KNEE, WHOLE
 from certkit.errors import RunError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.definitions.legform import Bone, Knee, Legform
-
-Part = Literal["leg", "femur", "tibia", "knee"]
-PARTS: dict[Part, tuple[str, ...]] = {
-    "leg": ("femur", "knee", "tibia"),
-    "femur": ("femur",),
-    "tibia": ("tibia",),
-    "knee": ("knee",),
-}
+    from certkit.definitions.legform import Legform
+    from certkit.definitions.legform_parts import Bone, Knee
 
 
 @dataclass(frozen=True)
@@ -30,7 +24,7 @@ class Segment:
     Parameters
     ----------
     part : str
-        `femur`, `knee` or `tibia`.
+        The part of the legform that it belongs to: `knee`, or such as `femur`.
     top, bottom, centre : float
         Its ends and its centre of gravity.
     mass, inertia : float
@@ -129,17 +123,20 @@ def knee_blocks(knee: Knee) -> list[Segment]:
             "no two blocks meet the knee's mass, centre of gravity and inertia; check them in the legform"
         )
     return [
-        Segment("knee", above, 0.0, above / 2, upper, left * upper / mass, float(knee.depth)),
-        Segment("knee", 0.0, -below, -below / 2, lower, left * lower / mass, float(knee.depth)),
+        Segment(KNEE, above, 0.0, above / 2, upper, left * upper / mass, float(knee.depth)),
+        Segment(KNEE, 0.0, -below, -below / 2, lower, left * lower / mass, float(knee.depth)),
     ]
 
 
-def leg_segments(legform: Legform, part: Part = "leg") -> list[Segment]:
+def leg_segments(legform: Legform, part: str = WHOLE) -> list[Segment]:
     """Return the segments of a leg, or of one of its parts, from top to bottom."""
-    knee = legform.knee
-    pieces = {
-        "femur": lambda: bone_segments("femur", legform.femur, knee.above_centre + legform.femur.length),
-        "knee": lambda: knee_blocks(knee),
-        "tibia": lambda: bone_segments("tibia", legform.tibia, -knee.below_centre),
-    }
-    return [segment for name in PARTS[part] for segment in pieces[name]()]
+    names = legform.chain if part == WHOLE else (part,)
+    return [
+        segment
+        for name in names
+        for segment in (
+            knee_blocks(legform.knee)
+            if name == KNEE
+            else bone_segments(name, legform.parts[name], legform.span(name)[0])
+        )
+    ]

@@ -13,10 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.definitions.legform import KNEE
+from certkit.mechanics.legform.bone_joint import is_rigid, jointed_bone, part_joint
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.definitions.legform import Bone, Legform
+    from certkit.definitions.legform import Legform
     from certkit.mechanics.legform.segments import Segment
 
 BOUND = 0.97
@@ -37,11 +40,17 @@ def stable_step(wanted: float, legform: Legform, segments: Sequence[Segment], *,
 
 
 def _damping(legform: Legform, upper: Segment, lower: Segment, *, flesh: bool) -> float:
-    """Return the damping of the joint between two segments, N·m·s/rad; none between the knee blocks."""
-    if upper.part == lower.part == "knee":
+    """Return the damping of the joint between two segments, N·m·s/rad.
+
+    None between the knee blocks. Rigidly held segments are one body: without damping between them each counts
+    as lighter than it is, which is on the safe side.
+    """
+    if upper.part == lower.part == KNEE or is_rigid(legform, upper.part, lower.part):
         return 0.0
-    bone: Bone = legform.femur if "femur" in {upper.part, lower.part} else legform.tibia
-    factor = 1.0 if upper.part == lower.part else float(bone.block_joint)
+    joint = part_joint(legform, upper.part, lower.part)
+    if joint is not None:
+        return float(joint.stiffness * joint.damping_time)
+    bone, factor = jointed_bone(legform, upper.part, lower.part)
     damping = bone.bending_stiffness * bone.damping_time
     if flesh:
         damping += (legform.flesh.bending_stiffness or 0.0) * (legform.flesh.damping_time or 0.0)

@@ -6,8 +6,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.definitions.legform import KNEE
 from certkit.documents.result import Motion, Shape
 from certkit.mechanics.fixtures.rig_assembly import box
+from certkit.mechanics.outputs.recorded_channels import moment_at
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -31,22 +33,17 @@ def recorded_motion(
     names: list[str] = []
     counts: dict[str, int] = {}
     moments: list[Floats] = []
-    for i, (segment, body) in enumerate(zip(leg.segments, leg.bodies, strict=True)):
+    for segment, body, centre in zip(leg.segments, leg.bodies, leg.centres, strict=True):
         counts[segment.part] = counts.get(segment.part, 0) + 1
         half = segment.depth / 2
-        outline = box(-half, half, segment.bottom - segment.centre, segment.top - segment.centre)
+        outline = box(-half, half, segment.bottom - centre, segment.top - centre)
         name = f"{segment.part} {counts[segment.part]}"
-        shapes.append(Shape(name=name, kind="knee" if segment.part == "knee" else "bone", outline=outline))
+        shapes.append(Shape(name=name, kind="knee" if segment.part == KNEE else "bone", outline=outline))
         bodies.append(body)
-        if segment.part != "knee":
+        if segment.part != KNEE:
             names.append(name)
-            beside = [
-                readings[f"joint {joint.row}"][at]
-                for joint in leg.joints
-                if abs(joint.height - segment.top) < 1e-9 or abs(joint.height - segment.bottom) < 1e-9
-            ]
-            free_end = i in {0, len(leg.segments) - 1}
-            moments.append(np.asarray(sum(beside) / 2 if free_end else sum(beside) / len(beside)))
+            middle = (segment.top + segment.bottom) / 2
+            moments.append(moment_at(leg, readings, middle, segment.part)[at])
     for body, segment in zip(leg.flesh, leg.segments, strict=False):
         half = segment.depth / 2
         outline = box(half, half + rig.cover, -segment.length / 2, segment.length / 2)

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
+from itertools import groupby, pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.definitions.legform import KNEE
 from certkit.mechanics.fixtures.fixture_model import model_of
 from certkit.mechanics.force_laws.joint_spring import JointSpring
 from certkit.mechanics.force_laws.ligament_cable import LigamentCable
-from certkit.signals import CHANNELS, Channel
+from certkit.signals import Channel
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.definitions.legform import Gauges
     from certkit.mechanics.fixtures.rig_assembly import RigAssembly
     from certkit.mechanics.legform.leg import Leg
     from certkit.mechanics.records import Floats
@@ -24,17 +24,13 @@ if TYPE_CHECKING:
     from certkit.mechanics.solver.world import World
 
 
-def stations(gauges: Gauges) -> dict[str, float]:
-    """Return the height of each strain gauge above the knee centre."""
-    above = {"F1": gauges.f1, "F2": gauges.f2, "F3": gauges.f3}
-    below = {"T1": gauges.t1, "T2": gauges.t2, "T3": gauges.t3, "T4": gauges.t4}
-    return {**{k: float(v) for k, v in above.items()}, **{k: -float(v) for k, v in below.items()}}
-
-
 def probes(world: World, leg: Leg, rig: RigAssembly) -> dict[str, int]:
     """Return what to record, by a name of its own: where each state stands in the world's tables."""
     places = {f"joint {joint.row}": world.place(JointSpring, joint.row, "moment") for joint in leg.joints}
-    places |= {name: world.place(LigamentCable, row, "elongation") for name, row in leg.ligaments.items()}
+    places |= {
+        f"ligament {name}": world.place(LigamentCable, row, "elongation")
+        for name, row in leg.ligaments.items()
+    }
     if leg.knee_row >= 0:
         places["knee bend"] = world.place(JointSpring, leg.knee_row, "angle")
     places |= {name: world.place(*where) for name, where in rig.recorded.items()}
@@ -42,10 +38,33 @@ def probes(world: World, leg: Leg, rig: RigAssembly) -> dict[str, int]:
 
 
 def moment_at(leg: Leg, readings: Mapping[str, Floats], height: float, part: str) -> Floats:
-    """Interpolate a bone's bending moment at a height between its joints; it is zero at the free end."""
-    bone = [segment for segment in leg.segments if segment.part == part]
-    known = {joint.height: readings[f"joint {joint.row}"] for joint in leg.joints if joint.part == part}
-    for end in (bone[0].top, bone[-1].bottom):
+    """Interpolate the bending moment at a height between joints; it is zero at a free end.
+
+    Parts on the same side of the knee are one bar, whether they are joined rigidly or by a joint.
+
+    Parameters
+    ----------
+    height : float
+        Above the knee centre, m.
+    part : str
+        The part that the height is on.
+
+    Returns
+    -------
+    ndarray, shape (samples,)
+        N·m.
+    """
+    runs = [
+        list(run) for knee, run in groupby(leg.segments, lambda segment: segment.part == KNEE) if not knee
+    ]
+    bar = next(run for run in runs if any(segment.part == part for segment in run))
+    top, bottom = bar[0].top, bar[-1].bottom
+    known = {
+        joint.height: readings[f"joint {joint.row}"]
+        for joint in leg.joints
+        if bottom - 1e-9 <= joint.height <= top + 1e-9
+    }
+    for end in (top, bottom):
         if not any(math.isclose(end, h, abs_tol=1e-9) for h in known):
             known[end] = np.zeros_like(next(iter(known.values())))
     heights = sorted(known, reverse=True)
@@ -59,18 +78,41 @@ def moment_at(leg: Leg, readings: Mapping[str, Floats], height: float, part: str
 def channels(
     rig: RigAssembly, leg: Leg, run: Trajectory, readings: Mapping[str, Floats]
 ) -> dict[str, Channel]:
-    """Return all channels of the run: gauges, ligaments, knee, and what the fixtures add."""
-    values: dict[str, Floats] = {}
-    parts = {segment.part for segment in leg.segments}
-    if parts == {"femur", "knee", "tibia"}:
-        for name, height in stations(rig.legform.gauges).items():
-            values[name] = moment_at(leg, readings, height, "femur" if height > 0 else "tibia")
-    values |= {name: readings[name] for name in leg.ligaments}
+    """Return all channels of the run, those of legform and fixtures, in the order of the legform's table."""
+    table = rig.legform.channel_table
+    values = {**_of_legform(rig, leg, run, readings), **_of_rig(rig, leg, run, readings)}
+    return {
+        name: Channel(name, kind.title, kind.dimension, values[name])
+        for name, kind in table.kinds.items()
+        if name in values
+    }
+
+
+def _of_legform(
+    rig: RigAssembly, leg: Leg, run: Trajectory, readings: Mapping[str, Floats]
+) -> dict[str, Floats]:
+    """Return what the legform's own channels show; bending moments of a whole leg only."""
+    legform = rig.legform
+    whole = {segment.part for segment in leg.segments} == set(legform.chain)
+    knee: dict[str, Floats] = {}
     if leg.knee_row >= 0:
-        values["knee bend"] = readings["knee bend"]
-        values["knee shear"] = _shear(leg, run)
+        knee = {"bending angle": readings["knee bend"], "shear displacement": _shear(leg, run)}
         if rig.rig.test_kind != "static":
-            values["knee acceleration"] = run.accelerations[:, 1, 0]
+            knee["acceleration"] = run.accelerations[:, 1, 0]
+    values: dict[str, Floats] = {}
+    for name, channel in legform.channels.items():
+        if channel.measures == "bending moment" and whole:
+            values[name] = moment_at(leg, readings, legform.gauge_height(channel), channel.part or "")
+        elif channel.ligament in leg.ligaments:
+            values[name] = readings[f"ligament {channel.ligament}"]
+        elif channel.measures in knee:
+            values[name] = knee[channel.measures]
+    return values
+
+
+def _of_rig(rig: RigAssembly, leg: Leg, run: Trajectory, readings: Mapping[str, Floats]) -> dict[str, Floats]:
+    """Return what the fixtures measure."""
+    values: dict[str, Floats] = {}
     if rig.contact_law is not None:
         values["contact force"] = run.contact_force
     if rig.assembly.hinge >= 0:
@@ -81,16 +123,13 @@ def channels(
 
     for fixture in rig.rig.fixtures():
         values |= model_of(fixture).channels(rig, readings, bone_moment)
-    return {
-        name: Channel(name, CHANNELS[name].title, CHANNELS[name].dimension, series)
-        for name, series in values.items()
-    }
+    return values
 
 
 def _shear(leg: Leg, run: Trajectory) -> Floats:
     """Return how far the tibia block has moved towards the obstacle against the femur block."""
     upper, lower = run.tracks[:, 0], run.tracks[:, 1]
-    blocks = [segment for segment in leg.segments if segment.part == "knee"]
+    blocks = [segment for segment in leg.segments if segment.part == KNEE]
     knee = []
     for pose, block in ((upper, blocks[0]), (lower, blocks[1])):
         x = pose[:, 0] + np.sin(pose[:, 2]) * block.centre

@@ -9,10 +9,10 @@ import numpy as np
 
 from certkit.bench.sources import load_source
 from certkit.definitions.channel_mapping import Mapping
-from certkit.definitions.channels import TIME, channel_kind
+from certkit.definitions.channels import TIME
 from certkit.definitions.loading.library import load
 from certkit.errors import UsageError
-from certkit.grading.measure import channel_name, quantity
+from certkit.grading.measure import quantity
 from certkit.signals import Filtered
 from certkit.studies.calibration.targets import Goal
 from certkit.studies.quantity import share
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.definitions.calibration import Target
+    from certkit.definitions.channels import ChannelTable
 
 
 def recorded_curves(targets: Sequence[Target], folder: Path) -> dict[str, RecordedCurve]:
@@ -62,7 +63,8 @@ def recorded_goals(target: Target, curves: dict[str, RecordedCurve]) -> list[Goa
     if tolerance is None:
         raise UsageError(f"{target.procedure}: the tolerance has to be a share such as `5 %`")
     goals = []
-    for pair in _pairs(target):
+    table = next(curve.table for curve in curves.values() if curve.procedure == target.procedure)
+    for pair in _pairs(target, table):
         curve = curves[_name(target.procedure, *pair)]
         scale, unit = curve.dimension.scale, curve.dimension.unit
         one = tolerance * abs(curve.peak) * scale
@@ -84,15 +86,15 @@ def recorded_goals(target: Target, curves: dict[str, RecordedCurve]) -> list[Goa
     return goals
 
 
-def _pairs(target: Target) -> list[tuple[str, str]]:
+def _pairs(target: Target, table: ChannelTable) -> list[tuple[str, str]]:
     """Return abscissa (empty: time) and ordinate of each curve, by the channels' short names."""
     if target.curve is not None:
-        pairs = [(channel_name(target.curve.x), channel_name(target.curve.y))]
+        pairs = [(table.name(target.curve.x), table.name(target.curve.y))]
     else:
-        pairs = [("", channel_name(words)) for words in target.channels or ()]
+        pairs = [("", table.name(words)) for words in target.channels or ()]
     for pair in pairs:
         for name in pair:
-            if name and channel_kind(name) is None:
+            if name and table.find(name) is None:
                 raise UsageError(f"{target.procedure}: no channel is called `{name}`")
     return pairs
 
@@ -110,9 +112,9 @@ def _curves(target: Target, folder: Path) -> list[RecordedCurve]:
     where = f"{target.procedure}, `contact`"
     contact = quantity(target.contact, TIME, where)
     curves = []
-    for abscissa, ordinate in _pairs(target):
+    for abscissa, ordinate in _pairs(target, recording.table):
         x, y = curve_of(filtered, abscissa, ordinate, target.filter)
-        kind = channel_kind(abscissa)
+        kind = recording.table.find(abscissa)
         if not abscissa:
             x = x - contact
         start, end = max(0.0, float(x[0])), float(x[-1])
@@ -137,6 +139,7 @@ def _curves(target: Target, folder: Path) -> list[RecordedCurve]:
                 end=end,
                 points=target.points,
                 scored=target.measure == "ISO/TS 18571",
+                table=recording.table,
             )
         )
     return curves

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.definitions.channels import channel_kind
 from certkit.definitions.corridor_set import ValueWindow
 from certkit.errors import UsageError
 from certkit.grading.corridors import Corridor, find_corridor, limits
@@ -100,8 +99,9 @@ def goals_of(target: Target, setup: Setup) -> list[Goal]:
 
 
 def _corridor_goal(criterion: Criterion, target: Target, setup: Setup) -> Goal | None:
-    found = find_corridor(criterion, setup.corridors)
-    kind = channel_kind(criterion.channel or "")
+    channels = setup.legform.channel_table
+    found = find_corridor(criterion, setup.corridors, channels)
+    kind = channels.find(criterion.channel or "")
     if kind is None or not isinstance(found, Corridor) or not isinstance(found.entry, ValueWindow):
         return None
     lower, upper = limits(found, found.entry, kind.dimension)

@@ -41,7 +41,7 @@ def test_a_file_in_ones_own_library_wins_over_a_shipped_name(tmp_path: Path, pla
 def test_a_family_is_found_where_a_fit_writes_it(tmp_path: Path):
     folder = tmp_path / "families"
     folder.mkdir()
-    members = "".join(f"  - {{id: a{n}, values: {{femur.segments: {n}}}}}\n" for n in (6, 8))
+    members = "".join(f"  - {{id: a{n}, values: {{parts.femur.segments: {n}}}}}\n" for n in (6, 8))
     head = "family: flex-pli-gtr\ntitle: Two legs\nlegform: flex-pli-gtr\nmembers:\n"
     (folder / "flex-pli-gtr.yaml").write_text(head + members, encoding="utf-8")
     assert load("family", "flex-pli-gtr", library=[tmp_path]).document.title == "Two legs"

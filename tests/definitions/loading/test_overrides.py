@@ -69,9 +69,9 @@ def test_later_changes_win():
 
 
 def test_a_legforms_number_and_a_ligaments_point_can_be_changed():
-    overrides = {"femur.bending stiffness": "190 N·m²", "knee.ligaments.MCL.femur": ["40 mm", "20 mm"]}
+    overrides = {"parts.femur.bending stiffness": "190 N·m²", "knee.ligaments.MCL.femur": ["40 mm", "20 mm"]}
     leg = load("legform", "flex-pli-gtr", overrides=overrides).document
-    assert leg.femur.bending_stiffness == 190.0
+    assert leg.parts["femur"].bending_stiffness == 190.0
     assert leg.knee.ligaments["MCL"].femur == [pytest.approx(0.040), pytest.approx(0.020)]
     assert {number.source for number in leg.knee.ligaments["MCL"].femur} == {"set on the command line"}
 
@@ -107,7 +107,7 @@ def test_a_path_that_leads_nowhere_brings_the_nearest_one(override: str, said: s
     ("override", "said"),
     [
         ("rig.hinge.offset=30", "--set rig.hinge.offset: `30` has no unit"),
-        ("rig.hinge.at=tibia", "--set rig.hinge.at: `tibia` is not a choice; did you mean `tibia end`"),
+        ("rig.hinge.at=tibia", "--set rig.hinge.at: `tibia` is no end of the leg; did you mean `tibia end`"),
         ("rig.hinge.at=[", "--set rig.hinge.at: is not YAML"),
         (
             "criteria.T1.channel=tibia moment 9",

@@ -1,0 +1,130 @@
+"""Parts of a legform: bones, knee with ligaments and condyles, flesh; each number with its origin."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field
+
+from certkit.definitions.base import Section
+from certkit.definitions.loading.field_types import Axes
+from certkit.definitions.provenance import (
+    Angle,
+    BendingStiffness,
+    Damping,
+    Force,
+    FoundationStiffness,
+    Frequency,
+    Inertia,
+    Length,
+    Mass,
+    Ratio,
+    RotationalStiffness,
+    Stiffness,
+    Time,
+)
+
+
+class PartJoint(Section):
+    """A rotational spring between a part and the next one below it."""
+
+    stiffness: RotationalStiffness
+    damping_time: Annotated[Time, Field(description="Damping divided by stiffness.")]
+
+
+class Bone(Section):
+    """A part of the leg, such as femur and tibia: rigid segments on pivots with rotational springs."""
+
+    length: Length
+    depth: Annotated[Length, Field(description="Outer size along the impact.")]
+    segments: Annotated[int, Field(ge=1, le=200)]
+    mass: Mass
+    centre_of_gravity: Annotated[Length, Field(description="From the top of the part.")]
+    inertia: Annotated[Inertia, Field(description="About its own centre of gravity.")]
+    bending_stiffness: BendingStiffness
+    damping_time: Annotated[Time, Field(description="Joint damping divided by joint stiffness.")]
+    block_joint: Annotated[
+        Ratio | None, Field(description="How much stiffer the joint at the knee block is; 1 when missing.")
+    ] = None
+    cable_angle: Annotated[
+        Angle | None,
+        Field(description="Joint angle at which the steel cables come tight; never when missing."),
+    ] = None
+    cable_stiffness: Annotated[
+        RotationalStiffness | None, Field(description="Added joint stiffness beyond it.")
+    ] = None
+    joint: Annotated[
+        PartJoint | None,
+        Field(description="To the next part below, where that is not the knee; rigid when missing."),
+    ] = None
+
+
+class Ligament(Section):
+    """A cable on a preloaded spring: it pulls and never pushes. Points are (x, z), femur side, tibia side."""
+
+    femur: Annotated[list[Length], Axes(("x", "z")), Field(min_length=2, max_length=2)]
+    tibia: Annotated[list[Length], Axes(("x", "z")), Field(min_length=2, max_length=2)]
+    stiffness: Stiffness
+    preload: Force
+    damping: Damping
+
+
+class Condyles(Section):
+    """Two round condyles of the femur block in two troughs of the tibia block."""
+
+    radius: Length
+    trough_radius: Length
+    offset: Annotated[Length, Field(description="Distance of each condyle's middle from the leg's axis.")]
+    stiffness: Stiffness
+    damping: Damping
+    friction: Ratio
+
+
+class KneeGuide(Section):
+    """A guide against sliding between the knee blocks: free for some way, then a spring."""
+
+    offset: Annotated[Length, Field(description="Distance from the leg's axis, towards the impact side.")]
+    free_travel: Annotated[Length, Field(description="Either way.")]
+    stiffness: Stiffness
+    damping: Damping
+
+
+class Knee(Section):
+    """Two rigid blocks in contact, held together by ligaments."""
+
+    between: Annotated[
+        list[str], Field(min_length=2, max_length=2, description="The parts above and below it.")
+    ]
+    mass: Mass
+    centre_of_gravity: Annotated[Length, Field(description="From the top of the knee.")]
+    inertia: Inertia
+    above_centre: Annotated[Length, Field(description="Height of the femur block.")]
+    below_centre: Annotated[Length, Field(description="Height of the tibia block.")]
+    depth: Length
+    condyles: Condyles
+    parallel_stiffness: RotationalStiffness
+    guide: KneeGuide | None = None
+    ligaments: Annotated[dict[str, Ligament], Field(min_length=1, description="By their names, such as MCL.")]
+
+
+class Flesh(Section):
+    """Rubber and neoprene around the bones: a mass a segment on springs, and a layer that can be crushed."""
+
+    mass: Mass
+    across: Annotated[Frequency, Field(description="Natural frequency of the flesh along the impact.")]
+    along: Annotated[Frequency, Field(description="Natural frequency along the bone.")]
+    damping_ratio: Ratio
+    tension: Annotated[Force, Field(description="Tensile stiffness EA between neighbours; 0 leaves it out.")]
+    compression: Annotated[FoundationStiffness, Field(description="Initial, per unit length.")]
+    thickness: Annotated[Length, Field(description="Depth over which the compression stiffens.")]
+    face: Annotated[
+        Length | None,
+        Field(description="Distance of its bone side from the leg's axis; half the parts' depth if missing."),
+    ] = None
+    bending_stiffness: Annotated[
+        BendingStiffness | None,
+        Field(description="Of the sleeve, which bends beside the bones; no gauge feels it."),
+    ] = None
+    damping_time: Annotated[
+        Time | None, Field(description="Damping of the sleeve's bending divided by its stiffness.")
+    ] = None
