@@ -14,11 +14,12 @@ from hypothesis import strategies as st
 from support import synthetic_result
 
 import certkit
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.documents.result import Result
 from certkit.errors import DataError
 from certkit.exchange.channels_csv import channels_csv, csv_text, write_csv
 from certkit.exchange.csv_read import read_csv
-from certkit.signals import CHANNELS, Channel, Recording
+from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 
 def recording() -> Recording:
     time = np.arange(-5, 20) * 1e-4
-    kinds = {name: CHANNELS[name] for name in ("T1", "MCL")}
+    kinds = {name: default_channels().kinds[name] for name in ("T1", "MCL")}
     return Recording(
         "simulated",
         time,

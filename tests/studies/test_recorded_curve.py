@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from certkit.definitions.calibration import CalibrationTask
-from certkit.definitions.channels import CHANNELS
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.definitions.loading.library import load
 from certkit.errors import DataError, UsageError
 from certkit.mechanics import simulate
@@ -26,7 +26,9 @@ if TYPE_CHECKING:
 
 def filtered_channels(time: np.ndarray, **series: np.ndarray) -> Filtered:
     channels = {
-        name: Channel(name, CHANNELS[name].title, CHANNELS[name].dimension, values)
+        name: Channel(
+            name, default_channels().kinds[name].title, default_channels().kinds[name].dimension, values
+        )
         for name, values in ((key.replace("_", " "), v) for key, v in series.items())
     }
     return Filtered(Recording("simulated", time, channels))
