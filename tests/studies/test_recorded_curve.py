@@ -121,8 +121,8 @@ def fit_to(folder: Path, **target: Any) -> Path:  # noqa: ANN401
         "legform": "flex-pli-gtr",
         "parameters": [
             {
-                "path": "legform.femur.bending stiffness",
-                "with": ["legform.tibia.bending stiffness"],
+                "path": "legform.parts.femur.bending stiffness",
+                "with": ["legform.parts.tibia.bending stiffness"],
                 "lower": "100 N·m²",
                 "upper": "300 N·m²",
                 "reason": "for the test",
