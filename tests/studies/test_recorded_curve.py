@@ -155,7 +155,7 @@ def test_a_fit_to_histories_finds_the_stiffness_they_were_made_with(
     _, document = carry_and_write(make_ready(fit_to(folder, measure=measure)), tmp_path, processes=1)
     summary = calibration_text(document)
     leg = load("legform", tmp_path / "flex-pli-gtr.yaml").document
-    assert leg.femur.bending_stiffness == pytest.approx(190, rel=5e-3)
+    assert leg.parts["femur"].bending_stiffness == pytest.approx(190, rel=5e-3)
     report = json.loads((tmp_path / "fit.json").read_text())
     assert [curve["name"] for curve in report["curves"]] == [
         f"inverse/{name} over time" for name in ("T1", "T2", "F1")
