@@ -97,7 +97,7 @@ def leg_recording(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], P
 
     def write(stiffness: str) -> Path:
         folder = tmp_path_factory.mktemp("recorded")
-        changes = {f"{bone}.bending stiffness": stiffness for bone in ("femur", "tibia")}
+        changes = {f"parts.{bone}.bending stiffness": stiffness for bone in ("femur", "tibia")}
         leg = load("legform", "flex-pli-gtr", overrides=changes).document
         recording = simulate(load("procedure", "inverse").document, leg).recording
         columns = [1e3 * recording.time, *(-recording[name].values for name in ("T1", "T2", "F1"))]
