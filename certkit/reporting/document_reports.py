@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from certkit.errors import UsageError
 from certkit.reporting.language import ENGLISH, worded
+from certkit.reporting.writing import FORMATS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -48,7 +49,7 @@ _PAPER = ("html", "pdf")
 REPORTS = {
     "certkit-result/1": DocumentReport(
         "certkit.reporting.writing:render_written",
-        ("html", "pdf", "junit", "csv", "md"),
+        tuple(FORMATS),
         _PAPER,
         takes_paper=True,
     ),

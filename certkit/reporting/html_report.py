@@ -25,6 +25,10 @@ _LANGUAGE = re.compile(rb'<html lang="([a-z]{2})">')
 _SCRIPTS = ("scripts/curves.js", "scripts/motion.js", "scripts/page.js")
 
 
+FILE = "report.html"
+SUITE_FILE: str | None = "index.html"
+
+
 def language_of(content: bytes) -> str:
     """Return the language that a page says it is in; English when that is none of ours."""
     said = _LANGUAGE.search(content[:500])
@@ -93,3 +97,9 @@ def _policy(style: str, script: str) -> str:
         f"default-src 'none'; style-src 'sha256-{hashes[0]}'; script-src 'sha256-{hashes[1]}'; "
         "font-src data:; img-src data:; base-uri 'none'; form-action 'none'"
     )
+
+
+def write(results: Sequence[Result], *, title: str | None, paper: str, spoken: str) -> str:
+    """Return the page of one result, or of a suite where there is a title."""
+    del paper
+    return page(results[0], spoken) if title is None else suite_page(results, title, spoken)

@@ -22,6 +22,10 @@ if TYPE_CHECKING:
     from certkit.documents.result import CriterionResult, Result, Verdict
 
 
+FILE = "junit.xml"
+SUITE_FILE: str | None = "junit.xml"
+
+
 def junit(results: Sequence[Result]) -> bytes:
     """Return the XML of one or several results, a test suite each."""
     root = ET.Element("testsuites", name="certkit")
@@ -125,3 +129,9 @@ def _outcome(case: ET.Element, verdict: Verdict, words: str) -> None:
 def _clean(words: str) -> str:
     """Drop control characters that XML 1.0 cannot hold."""
     return "".join(sign for sign in words if sign in "\t\n" or ord(sign) >= 0x20)
+
+
+def write(results: Sequence[Result], *, title: str | None, paper: str, spoken: str) -> bytes:
+    """Return the file; test runners read it in English."""
+    del title, paper, spoken
+    return junit(results)

@@ -27,6 +27,9 @@ if TYPE_CHECKING:
 
 Paper = Literal["A4", "Letter"]
 
+FILE = "report.pdf"
+SUITE_FILE: str | None = "suite.pdf"
+
 FIXED_DATE = datetime(1980, 1, 1, tzinfo=UTC)
 """Date written into a PDF when nobody gave one: the bytes must not depend on the clock."""
 
@@ -126,3 +129,8 @@ def certificate(
         manifest=listed,
     )
     return typeset(html, [*parts, listed], created)
+
+
+def write(results: Sequence[Result], *, title: str | None, paper: Paper, spoken: str) -> bytes:
+    """Return the PDF of one result, or of a suite with its contents where there is a title."""
+    return certificate(results, paper=paper, title=title, contents=title is not None, spoken=spoken)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from importlib import import_module
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from certkit.errors import UsageError
@@ -9,26 +11,32 @@ from certkit.files import write_whole
 from certkit.reporting.language import ENGLISH
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Sequence
+    from collections.abc import Collection, Sequence
     from pathlib import Path
 
     from certkit.documents.result import Result
     from certkit.identification import ExtractionResult
     from certkit.reporting.pdf_certificate import Paper
 
-FORMATS = ("html", "pdf", "junit", "csv", "md")
-FILES = {
-    "html": "report.html",
-    "pdf": "report.pdf",
-    "junit": "junit.xml",
-    "csv": "channels.csv",
-    "md": "summary.md",
-}
-SUITE_FILES = {"html": "index.html", "pdf": "suite.pdf", "junit": "junit.xml", "md": "summary.md"}
+FORMATS = MappingProxyType(
+    {
+        "csv": "certkit.reporting.csv_report",
+        "junit": "certkit.reporting.junit",
+        "md": "certkit.reporting.markdown",
+        "html": "certkit.reporting.html_report",
+        "pdf": "certkit.reporting.pdf_certificate",
+    }
+)
+"""The module of each format, cheapest first, so that a missing Pango still leaves the others.
+
+A format is one file and one line here. It has `FILE` and `SUITE_FILE`, its files for one result and for
+several (None: there is none), and `write(results, *, title, paper, spoken)`, which returns the content, or None
+where there is nothing to write. It is imported when it is asked for: a JUnit file must not wait for jinja2.
+"""
 
 
 def checked(formats: Collection[str]) -> list[str]:
-    """Return the formats in writing order, cheapest first, so that a missing Pango still leaves the others.
+    """Return the formats in writing order.
 
     Raises
     ------
@@ -38,7 +46,7 @@ def checked(formats: Collection[str]) -> list[str]:
     unknown = sorted(set(formats) - set(FORMATS) - {"json"})
     if unknown:
         raise UsageError(f"unknown format `{unknown[0]}`; use {', '.join(FORMATS)} (JSON is always written)")
-    return [name for name in ("csv", "junit", "md", "html", "pdf") if name in formats]
+    return [name for name in FORMATS if name in formats]
 
 
 def render(
@@ -78,14 +86,7 @@ def render_written(
     result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4", spoken: str = ENGLISH
 ) -> list[Path]:
     """Do as `render` does, with a result that was read from its own JSON and so has its digits already."""
-    makers: dict[str, Callable[[], bytes | str | None]] = {
-        "html": lambda: _page(result, spoken),
-        "pdf": lambda: _pdf([result], paper, None, spoken),
-        "junit": lambda: _junit([result]),
-        "csv": lambda: _csv(result),
-        "md": lambda: _summary([result]),
-    }
-    return _write(out, formats, makers, FILES)
+    return _write([result], out, formats, title=None, paper=paper, spoken=spoken)
 
 
 def render_suite(
@@ -102,27 +103,28 @@ def render_suite(
     The index page holds all reports, so it can be handed on as a single file.
     """
     results = [result.as_written() for result in results]
-    makers: dict[str, Callable[[], bytes | str | None]] = {
-        "html": lambda: _suite_page(results, title, spoken),
-        "pdf": lambda: _pdf(results, paper, title, spoken),
-        "junit": lambda: _junit(results),
-        "md": lambda: _summary(results),
-    }
-    return _write(out, [name for name in formats if name != "csv"], makers, SUITE_FILES)
+    return _write(results, out, formats, title=title, paper=paper, spoken=spoken)
 
 
-def _write(
+def _write(  # what a format takes
+    results: Sequence[Result],
     out: Path,
     formats: Collection[str],
-    makers: dict[str, Callable[[], bytes | str | None]],
-    files: dict[str, str],
+    *,
+    title: str | None,
+    paper: Paper,
+    spoken: str,
 ) -> list[Path]:
     written = []
     for name in checked(formats):
-        content = makers[name]()
+        module = import_module(FORMATS[name])
+        file = module.FILE if title is None else module.SUITE_FILE
+        content = None
+        if file is not None:
+            content = module.write(results, title=title, paper=paper, spoken=spoken)
         if content is not None:
-            write_whole(out / files[name], content)
-            written.append(out / files[name])
+            write_whole(out / file, content)
+            written.append(out / file)
     return written
 
 
@@ -131,42 +133,3 @@ def render_extraction(result: ExtractionResult, out: Path, formats: Collection[s
     from certkit.reporting.extraction_report import render_extraction as write  # noqa: PLC0415  # jinja2 waits
 
     return write(result, out, formats)
-
-
-# Each format's modules are imported when it is asked for: a JUnit file must not wait for jinja2.
-
-
-def _page(result: Result, spoken: str) -> str:
-    from certkit.reporting.html_report import page  # noqa: PLC0415  # see above
-
-    return page(result, spoken)
-
-
-def _suite_page(results: Sequence[Result], title: str, spoken: str) -> str:
-    from certkit.reporting.html_report import suite_page  # noqa: PLC0415  # see above
-
-    return suite_page(results, title, spoken)
-
-
-def _pdf(results: Sequence[Result], paper: Paper, title: str | None, spoken: str) -> bytes:
-    from certkit.reporting.pdf_certificate import certificate  # noqa: PLC0415  # see above
-
-    return certificate(results, paper=paper, title=title, contents=title is not None, spoken=spoken)
-
-
-def _junit(results: Sequence[Result]) -> bytes:
-    from certkit.reporting.junit import junit  # noqa: PLC0415  # see above
-
-    return junit(results)
-
-
-def _csv(result: Result) -> str | None:
-    from certkit.exchange.channels_csv import channels_csv  # noqa: PLC0415  # see above
-
-    return channels_csv(result)
-
-
-def _summary(results: Sequence[Result]) -> str:
-    from certkit.reporting.markdown import summary  # noqa: PLC0415  # see above
-
-    return summary(results)
