@@ -31,7 +31,7 @@ FORMATS = MappingProxyType(
 
 A format is one file and one line here. It has `FILE` and `SUITE_FILE`, its files for one result and for
 several (None: there is none), and `write(results, *, title, paper, spoken)`, which returns the content, or
-None where there is nothing to write. It is imported when it is asked for: a JUnit file must not wait for jinja2.
+None where there is nothing to write. It is imported when it is asked for: JUnit must not wait for jinja2.
 """
 
 
