@@ -55,7 +55,8 @@ def logbook(
         add(book, [Path(path) for path in paths])
     own = read_document(Path(rules), LogbookRules) if rules is not None else None
     asked = _day(day) if isinstance(day, str) else day
-    return [overview(book, serial, rules=own, day=asked) for serial in serials or book.serials()]
+    exact = own is not None and own.serial_numbers == "exact"
+    return [overview(book, serial, rules=own, day=asked) for serial in serials or book.serials(exact=exact)]
 
 
 def _day(text: str) -> date:

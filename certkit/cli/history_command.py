@@ -13,7 +13,7 @@ app = typer.Typer(
     no_args_is_help=True,
     help=(
         "Keep a logbook by serial number: tests done, validity left and why, trend of each channel.\n\n"
-        "Documents are kept in `logbook/results`; the database beside them is only an index."
+        "Documents are kept in `logbook/results`; the file beside them is only an index."
     ),
 )
 
@@ -28,7 +28,7 @@ DEFAULT = Path("logbook")
 @app.command("add")
 def add(documents: Documents, *, logbook: Folder = DEFAULT) -> None:
     """Put graded tests into the logbook; those that it has already are left alone."""
-    from certkit.logbooks.logbook_store import Logbook  # noqa: PLC0415  # sqlite waits until it is needed
+    from certkit.logbooks.logbook_store import Logbook  # noqa: PLC0415  # waits until it is needed
     from certkit.logbooks.logbook_store import add as put  # noqa: PLC0415  # likewise
 
     new, known = put(Logbook(logbook), documents)
@@ -61,7 +61,7 @@ def show(
     as_json: options.AsJson = False,
 ) -> None:
     """Show what is known of a legform: text, JSON or a page. Exit code 1 when a certification is due."""
-    from certkit.bench.legform_logbook import logbook as overviews  # noqa: PLC0415  # sqlite waits
+    from certkit.bench.legform_logbook import logbook as overviews  # noqa: PLC0415  # waits
     from certkit.documents.output_document import listed_json  # noqa: PLC0415  # likewise
     from certkit.files import write_whole  # noqa: PLC0415  # likewise
     from certkit.reporting.logbook_page import logbook_page  # noqa: PLC0415  # likewise
@@ -80,8 +80,8 @@ def show(
 
 @app.command("rebuild")
 def rebuild(*, logbook: Folder = DEFAULT) -> None:
-    """Make the database again from the documents in the logbook's folder."""
-    from certkit.logbooks.logbook_store import Logbook  # noqa: PLC0415  # sqlite waits until it is needed
+    """Make the index again from the documents in the logbook's folder; it also mends itself."""
+    from certkit.logbooks.logbook_store import Logbook  # noqa: PLC0415  # waits until it is needed
     from certkit.logbooks.logbook_store import rebuild as build  # noqa: PLC0415  # likewise
 
     typer.echo(f"{build(Logbook(logbook))} tests", err=True)

@@ -91,3 +91,7 @@ class LogbookRules(Document):
     title: str
     rules: Annotated[list[Rule], Field(min_length=1, max_length=50)]
     trend: TrendRule = TrendRule()
+    serial_numbers: Annotated[
+        Literal["without case", "exact"],
+        Field(description="Whether `flx-0007` and `FLX-0007` are one legform, or two."),
+    ] = "without case"

@@ -26,7 +26,7 @@ class Validity(Part):
 
     rule: Literal["interval", "count", "overload"]
     title: str
-    state: Literal["valid", "due", "never certified"]
+    state: Literal["valid", "due", "revoked", "never certified"]
     why: str
     due: Annotated[str | None, Field(description="Day from which on a certification is due.")] = None
     left: Annotated[int | None, Field(description="Tests left until one is due.")] = None
@@ -70,7 +70,7 @@ class LegOverview(OutputDocument):
     serial: str
     day: Annotated[str, Field(description="The day it is drawn up for.")]
     rules: str
-    state: Literal["valid", "due", "never certified"]
+    state: Literal["valid", "due", "revoked", "never certified"]
     tests: list[TestLine]
     counts: Annotated[dict[str, int], Field(description="Tests by procedure.")]
     validity: list[Validity]

@@ -13,6 +13,14 @@ if TYPE_CHECKING:
     from certkit.documents.result import Result
 
 
+MEASURED = "test evaluation"
+
+
+def serial_key(serial: str, *, exact: bool) -> str:
+    """Return what two ways of writing one serial number have in common: all but case and blanks, or all."""
+    return serial if exact else "".join(serial.split()).casefold()
+
+
 @dataclass(frozen=True)
 class Reading:
     """A criterion's value with its limits, in its unit."""
@@ -44,6 +52,8 @@ class LogbookEntry:
         As in the document.
     readings : tuple of Reading
         In the procedure's order.
+    recordings : tuple of str
+        Hashes of the data that were graded.
     """
 
     id: str
@@ -54,6 +64,12 @@ class LogbookEntry:
     verdict: str
     kind: str
     readings: tuple[Reading, ...]
+    recordings: tuple[str, ...] = ()
+
+    @property
+    def test_key(self) -> tuple[str, tuple[str, ...]]:
+        """What makes it this test, however often it was graded."""
+        return self.procedure, self.recordings
 
     @property
     def order(self) -> tuple[date, list[tuple[int, int, str]], str]:
@@ -75,8 +91,10 @@ def entry_of(result: Result, place: str) -> LogbookEntry:
     Raises
     ------
     DataError
-        When the document does not say which legform was tested, or when.
+        When the test was not measured, or the document does not say which legform was tested, or when.
     """
+    if result.kind != MEASURED:
+        raise DataError(f"{place}: is a {result.kind}; a legform's logbook holds measured tests only")
     header = result.laboratory or {}
     item, test = header.get("item"), header.get("test")
     serial = item.get("serial") if isinstance(item, dict) else None
@@ -100,4 +118,5 @@ def entry_of(result: Result, place: str) -> LogbookEntry:
             Reading(c.id, c.title, c.value, c.unit, c.lower, c.upper, c.verdict if c.graded else "")
             for c in result.criteria
         ),
+        recordings=tuple(sorted(i.sha256 for i in result.provenance.inputs if i.role == "recording")),
     )

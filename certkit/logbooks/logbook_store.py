@@ -1,46 +1,41 @@
-"""The logbook on disk: result documents, and an SQLite index that can be made again from them."""
+"""The logbook on disk: result documents, which are the logbook, and an index made from them.
+
+To read many result documents is slow, for they carry their curves. The index keeps what the logbook needs of
+each, with the size and time of the file that it was taken from, and a checksum of itself. Whatever does not
+agree with the documents is read from them again: an index that is missing, stale, damaged or edited mends
+itself.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
+import json
 import re
-import sqlite3
-from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from datetime import date
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+from filelock import FileLock
 
 from certkit.documents.result import Result
 from certkit.errors import DataError
 from certkit.exchange.container import read_bounded
 from certkit.files import write_whole
-from certkit.logbooks.logbook_entry import LogbookEntry, Reading, entry_of
+from certkit.logbooks.logbook_entry import LogbookEntry, Reading, entry_of, serial_key
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
     from pathlib import Path
 
-INDEX = "logbook.sqlite"
+INDEX = "index.json"
 DOCUMENTS = "results"
-
-_TABLES = """
-CREATE TABLE tests (
-    id TEXT PRIMARY KEY, serial TEXT NOT NULL, day TEXT NOT NULL, number TEXT NOT NULL,
-    procedure TEXT NOT NULL, verdict TEXT NOT NULL, kind TEXT NOT NULL
-);
-CREATE TABLE readings (
-    test TEXT NOT NULL REFERENCES tests (id), place INTEGER NOT NULL,
-    criterion TEXT NOT NULL, title TEXT NOT NULL, value REAL, unit TEXT NOT NULL,
-    lower REAL, upper REAL, verdict TEXT NOT NULL, PRIMARY KEY (test, place)
-);
-CREATE INDEX tests_of_a_leg ON tests (serial, day);
-PRAGMA user_version = 1;
-"""
+SCHEMA = "certkit-logbook-index/1"
 
 
 @dataclass(frozen=True)
 class Logbook:
-    """A folder with the documents in `results/` and the index `logbook.sqlite`."""
+    """A folder with the documents in `results/` and the index beside them."""
 
     folder: Path
 
@@ -49,60 +44,39 @@ class Logbook:
         """The index."""
         return self.folder / INDEX
 
-    def serials(self) -> list[str]:
-        """Return the legforms it knows, sorted."""
-        with closing(self._open()) as database:
-            rows = database.execute("SELECT DISTINCT serial FROM tests ORDER BY serial").fetchall()
-        return [row[0] for row in rows]
+    @property
+    def documents(self) -> Path:
+        """The folder of the documents."""
+        return self.folder / DOCUMENTS
 
-    def entries(self, serial: str) -> list[LogbookEntry]:
-        """Return a legform's tests in the order in which they were done."""
-        with closing(self._open()) as database:
-            tests = database.execute(
-                "SELECT id, serial, day, number, procedure, verdict, kind FROM tests WHERE serial = ?",
-                (serial,),
-            ).fetchall()
-            rows = database.execute(
-                "SELECT test, criterion, title, value, unit, lower, upper, readings.verdict FROM readings "
-                "JOIN tests ON tests.id = readings.test WHERE serial = ? ORDER BY test, place",
-                (serial,),
-            ).fetchall()
-        readings: dict[str, list[Reading]] = {}
-        for test, *values in rows:
-            readings.setdefault(test, []).append(Reading(*values))
-        found = [
-            LogbookEntry(
-                id_,
-                leg,
-                date.fromisoformat(day),
-                number,
-                procedure,
-                verdict,
-                kind,
-                tuple(readings.get(id_, ())),
-            )
-            for id_, leg, day, number, procedure, verdict, kind in tests
-        ]
+    def serials(self, *, exact: bool = False) -> list[str]:
+        """Return the legforms it knows, sorted, each as it was written first."""
+        names: dict[str, str] = {}
+        for entry in sorted(self._entries(), key=lambda entry: entry.order):
+            names.setdefault(serial_key(entry.serial, exact=exact), entry.serial)
+        return sorted(names.values())
+
+    def entries(self, serial: str, *, exact: bool = False) -> list[LogbookEntry]:
+        """Return a legform's tests in the order in which they were done.
+
+        Parameters
+        ----------
+        serial : str
+            Its serial number.
+        exact : bool
+            Whether serial numbers that differ in case and blanks only are two legforms.
+        """
+        wanted = serial_key(serial, exact=exact)
+        found = [entry for entry in self._entries() if serial_key(entry.serial, exact=exact) == wanted]
         return sorted(found, key=lambda entry: entry.order)
 
-    def _open(self) -> sqlite3.Connection:
-        """Open the index, making it from the documents when it is missing."""
-        if not self.index.is_file():
-            if not (self.folder / DOCUMENTS).is_dir():
-                raise DataError(
-                    f"{self.folder}: no logbook here; begin one with `certkit history add RESULT.json`"
-                )
-            rebuild(self)
-        database = sqlite3.connect(self.index)
-        try:
-            version = database.execute("PRAGMA user_version").fetchone()[0]
-        except sqlite3.DatabaseError as error:
-            database.close()
-            raise DataError(f"{self.index}: damaged; make it again with `certkit history rebuild`") from error
-        if version != 1:
-            database.close()
-            raise DataError(f"{self.index}: of another version; make it again with `certkit history rebuild`")
-        return database
+    def _entries(self) -> list[LogbookEntry]:
+        if not self.documents.is_dir():
+            raise DataError(
+                f"{self.folder}: no logbook here; begin one with `certkit history add RESULT.json`"
+            )
+        with _locked(self):
+            return list(_agreed(self).values())
 
 
 def add(logbook: Logbook, documents: Iterable[Path]) -> tuple[list[LogbookEntry], list[LogbookEntry]]:
@@ -117,29 +91,26 @@ def add(logbook: Logbook, documents: Iterable[Path]) -> tuple[list[LogbookEntry]
 
     Returns
     -------
-    (list of Entry, list of Entry)
+    (list of LogbookEntry, list of LogbookEntry)
         Those that are new, and those that the logbook had already.
 
     Raises
     ------
     DataError
-        When a document is damaged, was changed, or names no legform and day.
+        When a document is damaged, was changed, was not measured, names no legform and day, or grades a
+        recording that the logbook has already under another id.
     """
     read = [_read(path / "result.json" if path.is_dir() else path) for path in documents]
-    known = (
-        {entry.id for serial in logbook.serials() for entry in logbook.entries(serial)}
-        if _exists(logbook)
-        else set()
-    )
-    new = {entry.id: (entry, content) for entry, content in read if entry.id not in known}
-    for entry, content in new.values():
-        write_whole(logbook.folder / DOCUMENTS / _file_name(entry), content)
-    if not logbook.index.is_file():
-        rebuild(logbook)
-    else:
-        with closing(sqlite3.connect(logbook.index)) as database, database:
-            _insert(database, [entry for entry, _ in new.values()])
-    return [entry for entry, _ in new.values()], [entry for entry, _ in read if entry.id in known]
+    logbook.documents.mkdir(parents=True, exist_ok=True)
+    with _locked(logbook):
+        kept = _agreed(logbook)
+        ids = {entry.id for entry in kept.values()}
+        _refuse_second_gradings(read, kept.values())
+        new = {entry.id: (entry, content) for entry, content, _ in read if entry.id not in ids}
+        for entry, content in new.values():
+            write_whole(logbook.documents / _file_name(entry), content, durable=True)
+        _agreed(logbook)
+    return [entry for entry, _ in new.values()], [entry for entry, _, _ in read if entry.id in ids]
 
 
 def rebuild(logbook: Logbook) -> int:
@@ -155,35 +126,97 @@ def rebuild(logbook: Logbook) -> int:
     DataError
         When there is no logbook, or a document in it is damaged.
     """
-    folder = logbook.folder / DOCUMENTS
-    if not folder.is_dir():
-        raise DataError(
-            f"{logbook.folder}: no logbook here; begin one with `certkit history add RESULT.json`"
-        )
-    entries = [_read(path)[0] for path in sorted(folder.glob("*.json"))]
-    temporary = logbook.index.with_suffix(".new")
-    temporary.unlink(missing_ok=True)
+    with contextlib.suppress(FileNotFoundError):
+        logbook.index.unlink()
+    return len(logbook._entries())  # noqa: SLF001  # the same module
+
+
+@contextlib.contextmanager
+def _locked(logbook: Logbook) -> Iterator[None]:
+    """Keep other processes out, where the folder can be written; who cannot write it only reads."""
+    lock = FileLock(logbook.folder / ".lock")
     try:
-        with closing(sqlite3.connect(temporary)) as database, database:
-            database.executescript(_TABLES)
-            _insert(database, entries)
-        temporary.replace(logbook.index)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
-    return len(entries)
+        lock.acquire()
+    except PermissionError:
+        yield
+        return
+    try:
+        yield
+    finally:
+        lock.release()
 
 
-def _exists(logbook: Logbook) -> bool:
-    return logbook.index.is_file() or (logbook.folder / DOCUMENTS).is_dir()
+def _agreed(logbook: Logbook) -> dict[str, LogbookEntry]:
+    """Return the entry of each document by its file's name, and bring the index up to them."""
+    known = _index(logbook)
+    found: dict[str, tuple[list[int], LogbookEntry]] = {}
+    for path in sorted(logbook.documents.glob("*.json")):
+        state = path.stat()
+        stamp = [state.st_size, state.st_mtime_ns]
+        before = known.get(path.name)
+        found[path.name] = before if before and before[0] == stamp else (stamp, _read(path)[0])
+    if found != known:
+        # Whoever may only read the folder does without an index.
+        with contextlib.suppress(PermissionError):
+            write_whole(logbook.index, _index_text(found), durable=True)
+    return {name: entry for name, (_, entry) in found.items()}
 
 
-def _read(path: Path) -> tuple[LogbookEntry, bytes]:
+def _index(logbook: Logbook) -> dict[str, tuple[list[int], LogbookEntry]]:
+    """Return what the index holds, stamp and entry by file name; nothing where it is not as written."""
+    try:
+        content = read_bounded(logbook.index)
+        data = json.loads(content)
+        found = {name: (stamp, _entry(fields)) for name, (stamp, fields) in data["files"].items()}
+    except (DataError, OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        return {}
+    return found if _index_text(found).encode() == content else {}
+
+
+def _index_text(found: dict[str, tuple[list[int], LogbookEntry]]) -> str:
+    """Return the index as text, with the checksum of what it holds."""
+    files = {
+        name: [stamp, asdict(entry) | {"day": entry.day.isoformat()}]
+        for name, (stamp, entry) in found.items()
+    }
+    text = json.dumps(files, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
+    checksum = hashlib.sha256(text.encode()).hexdigest()
+    return f'{{"schema":"{SCHEMA}","sum":"{checksum}",\n"files":{text}}}\n'
+
+
+def _entry(fields: dict[str, Any]) -> LogbookEntry:
+    return LogbookEntry(
+        **{
+            **fields,
+            "day": date.fromisoformat(fields["day"]),
+            "readings": tuple(Reading(**reading) for reading in fields["readings"]),
+            "recordings": tuple(fields["recordings"]),
+        }
+    )
+
+
+def _read(path: Path) -> tuple[LogbookEntry, bytes, Path]:
     content = read_bounded(path)
     result = Result.from_json(content, str(path))
     if result.content_id() != result.id:
         raise DataError(f"{path}: was changed since it was written; `certkit verify` tells more")
-    return entry_of(result, str(path)), content
+    return entry_of(result, str(path)), content, path
+
+
+def _refuse_second_gradings(
+    read: Iterable[tuple[LogbookEntry, bytes, Path]], kept: Iterable[LogbookEntry]
+) -> None:
+    """One test counts once, however often it was graded: which grading stands is for people to say."""
+    held = {entry.test_key: entry for entry in kept if entry.recordings}
+    for entry, _, path in read:
+        if not entry.recordings:
+            continue
+        other = held.setdefault(entry.test_key, entry)
+        if other.id != entry.id:
+            raise DataError(
+                f"{path}: this recording is in the logbook already, as {other.id} ({other.procedure}, "
+                f"{other.day}, {other.verdict}); to book another grading, take that out of `{DOCUMENTS}/`"
+            )
 
 
 def _file_name(entry: LogbookEntry) -> str:
@@ -194,26 +227,3 @@ def _file_name(entry: LogbookEntry) -> str:
     words = re.sub(r"[^A-Za-z0-9.-]+", "-", f"{entry.serial}_{entry.day}_{entry.procedure}").strip("-.")
     digest = hashlib.sha256(entry.id.encode()).hexdigest()[:6]
     return f"{words[:120]}_{re.sub(r'[^A-Za-z0-9-]', '', entry.id)[:40]}{digest}.json"
-
-
-def _insert(database: sqlite3.Connection, entries: Iterable[LogbookEntry]) -> None:
-    for entry in entries:
-        database.execute(
-            "INSERT OR REPLACE INTO tests VALUES (?, ?, ?, ?, ?, ?, ?)",
-            (
-                entry.id,
-                entry.serial,
-                entry.day.isoformat(),
-                entry.number,
-                entry.procedure,
-                entry.verdict,
-                entry.kind,
-            ),
-        )
-        database.executemany(
-            "INSERT OR REPLACE INTO readings VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
-            [
-                (entry.id, place, r.criterion, r.title, r.value, r.unit, r.lower, r.upper, r.verdict)
-                for place, r in enumerate(entry.readings)
-            ],
-        )

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from certkit.logbooks.logbook_store import Logbook
 
-_STATES = ("never certified", "due", "valid")
+_STATES = ("never certified", "revoked", "due", "valid")
 
 
 @cache
@@ -52,9 +52,10 @@ def overview(
         When the logbook does not know the serial number.
     """
     rules = rules or shipped_rules()
-    entries = logbook.entries(serial)
+    exact = rules.serial_numbers == "exact"
+    entries = logbook.entries(serial, exact=exact)
     if not entries:
-        known = ", ".join(logbook.serials()) or "none yet"
+        known = ", ".join(logbook.serials(exact=exact)) or "none yet"
         raise UsageError(f"the logbook knows no legform `{serial}`; it has {known}")
     asked = day or entries[-1].day
     # Tests after the day that is asked for had not been done then.

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 _DAY = 86400.0
 PASSED = "pass"
+REVOKING = frozenset({"fail", "conditional", "error"})
+"""Verdicts of a later test that take the certification back; `not evaluated` says nothing about the leg."""
 
 
 def validity(rule: Rule, entries: Sequence[LogbookEntry], day: date) -> Validity:
@@ -55,18 +57,24 @@ def _said(rule: Rule, **values: Any) -> Validity:  # noqa: ANN401  # the documen
     )
 
 
-def _never(rule: Rule, passes: dict[str, int]) -> Validity | None:
+def _not_certified(rule: Rule, passes: dict[str, int], entries: Sequence[LogbookEntry]) -> Validity | None:
+    """Say that a procedure was never passed, or that a later test took the pass back; None otherwise."""
     missing = [name for name in rule.certified_by if name not in passes]
-    if not missing:
-        return None
-    return _said(rule, state="never certified", why=f"{' and '.join(missing)} never passed")
+    if missing:
+        return _said(rule, state="never certified", why=f"{' and '.join(missing)} never passed")
+    for name, place in passes.items():
+        for entry in entries[place + 1 :]:
+            if entry.procedure == name and entry.verdict in REVOKING:
+                why = f"{name} passed on {entries[place].day}, but ended in `{entry.verdict}` on {entry.day}"
+                return _said(rule, state="revoked", why=why, due=entry.day.isoformat())
+    return None
 
 
 def _interval(rule: Interval, entries: Sequence[LogbookEntry], day: date) -> Validity:
     passes = _last_passes(rule.certified_by, entries)
-    never = _never(rule, passes)
-    if never is not None:
-        return never
+    lacking = _not_certified(rule, passes, entries)
+    if lacking is not None:
+        return lacking
     oldest = min(rule.certified_by, key=lambda name: entries[passes[name]].day)
     last = entries[passes[oldest]].day
     due = last + timedelta(days=rule.seconds / _DAY)
@@ -77,9 +85,9 @@ def _interval(rule: Interval, entries: Sequence[LogbookEntry], day: date) -> Val
 
 def _count(rule: Count, entries: Sequence[LogbookEntry]) -> Validity:
     passes = _last_passes(rule.certified_by, entries)
-    never = _never(rule, passes)
-    if never is not None:
-        return never
+    lacking = _not_certified(rule, passes, entries)
+    if lacking is not None:
+        return lacking
     first = min(passes.values())
     used = sum(entry.procedure in rule.counts for entry in entries[first + 1 :])
     left = max(0, rule.at_most - used)
@@ -91,9 +99,9 @@ def _count(rule: Count, entries: Sequence[LogbookEntry]) -> Validity:
 
 def _overload(rule: Overload, entries: Sequence[LogbookEntry]) -> Validity:
     passes = _last_passes(rule.certified_by, entries)
-    never = _never(rule, passes)
-    if never is not None:
-        return never
+    lacking = _not_certified(rule, passes, entries)
+    if lacking is not None:
+        return lacking
     for entry in entries[min(passes.values()) + 1 :]:
         if entry.procedure not in rule.counts:
             continue

@@ -4,19 +4,24 @@ from __future__ import annotations
 
 import json
 import statistics
+import subprocess
+import sys
 from datetime import date, timedelta
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 import pytest
-from support.forty_tests import BEGIN, document, forty
+from support.forty_tests import BEGIN, CERTIFICATIONS, document, forty
 
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.output_document import listed_json
+from certkit.documents.result import InputFile, Kind, Provenance
 from certkit.errors import DataError, UsageError
 from certkit.logbooks import Logbook, add, overview, rebuild
+from certkit.logbooks.overview import shipped_rules
 from certkit.reporting.logbook_page import logbook_page
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
     from certkit.documents.result import Result
@@ -71,7 +76,7 @@ def test_impacts_are_counted_from_the_last_passed_pendulum(tmp_path: Path):
     assert (impacts.used, impacts.left, impacts.state) == (10, 0, "due")
     failed = [*results, document("C", BEGIN + timedelta(days=20), 20, "pendulum", 200.0)]
     leg = overview(kept(tmp_path / "failed", failed), "C")
-    assert next(line for line in leg.validity if line.rule == "count").state == "due"
+    assert next(line for line in leg.validity if line.rule == "count").state == "revoked"
     passed = [*failed, document("C", BEGIN + timedelta(days=21), 21, "pendulum", 250.0)]
     leg = overview(kept(tmp_path / "passed", passed), "C")
     assert next(line for line in leg.validity if line.rule == "count").left == 10
@@ -137,20 +142,116 @@ def test_vehicle_tests_have_no_trend(logbook: Logbook):
     assert "vehicle" not in {trend.procedure for trend in overview(logbook, "A-1").trends}
 
 
-def test_the_page_is_the_same_after_the_database_was_deleted_and_made_again(logbook: Logbook):
+def test_the_page_is_the_same_after_the_index_was_deleted_and_made_again(logbook: Logbook):
     before = logbook_page([overview(logbook, serial) for serial in logbook.serials()])
     logbook.index.unlink()
     assert rebuild(logbook) == 40
     assert logbook_page([overview(logbook, serial) for serial in logbook.serials()]) == before
-    logbook.index.write_bytes(b"no database at all")
-    with pytest.raises(DataError, match="rebuild"):
-        logbook.serials()
 
 
-def test_a_missing_database_makes_itself(logbook: Logbook):
-    before = listed_json([overview(logbook, "A-1")])
-    logbook.index.unlink()
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda index: index.unlink(),
+        lambda index: index.write_bytes(b""),
+        lambda index: index.write_bytes(b"SQLite format 3\x00"),
+        lambda index: index.write_bytes(index.read_bytes()[:-300]),
+        lambda index: index.write_bytes(index.read_bytes().replace(b'"verdict":"pass"', b'"verdict":"fail"')),
+        lambda index: index.write_bytes(index.read_bytes().replace(b"250.0", b"251.0")),
+        lambda index: index.write_bytes(b"[" * 100_000),
+        lambda index: next((index.parent / "results").glob("*pendulum*")).touch(),
+    ],
+    ids=["missing", "empty", "another format", "cut", "verdicts edited", "values edited", "deep", "older"],
+)
+def test_an_index_that_does_not_agree_with_the_documents_mends_itself(
+    logbook: Logbook, damage: Callable[[Path], object]
+):
+    before, index = listed_json([overview(logbook, "A-1")]), logbook.index.read_bytes()
+    damage(logbook.index)
     assert listed_json([overview(logbook, "A-1")]) == before
+    if logbook.index.stat().st_size:
+        assert json.loads(logbook.index.read_text())["files"].keys() == json.loads(index)["files"].keys()
+
+
+def test_a_document_put_or_taken_by_hand_is_noticed(logbook: Logbook):
+    taken = next(path for path in logbook.documents.iterdir() if "static-knee" in path.name)
+    taken.unlink()
+    document("C-3", date(2025, 6, 1), 1, "pendulum", 251.0).write(logbook.documents / "by-hand.json")
+    assert logbook.serials() == ["A-1", "B-2", "C-3"]
+    assert sum(overview(logbook, serial).counts.get("static-knee", 0) for serial in ("A-1", "B-2")) == 1
+
+
+def test_eight_writers_lose_nothing(tmp_path: Path):
+    results = [document(f"W-{n % 3}", BEGIN + timedelta(days=n), n, "pendulum", 250.0) for n in range(48)]
+    for number, result in enumerate(results):
+        result.write(tmp_path / "in" / f"{number}.json")
+    script = (
+        "import sys; from pathlib import Path; from certkit.logbooks import Logbook, add\n"
+        "for path in sys.argv[2:]: add(Logbook(Path(sys.argv[1])), [Path(path)])"
+    )
+    writers = [
+        subprocess.Popen(
+            [sys.executable, "-c", script, tmp_path / "book"]
+            + [tmp_path / "in" / f"{n}.json" for n in range(first, 48, 8)]
+        )
+        for first in range(8)
+    ]
+    assert [writer.wait(timeout=300) for writer in writers] == [0] * 8
+    logbook = Logbook(tmp_path / "book")
+    assert sum(len(overview(logbook, serial).tests) for serial in logbook.serials()) == 48
+    assert len(json.loads(logbook.index.read_text())["files"]) == 48
+
+
+def test_one_recording_graded_twice_is_one_test(tmp_path: Path):
+    data = [InputFile(role="recording", path="leg.csv", sha256="ab" * 32)]
+    first, again = (
+        document("A-1", BEGIN, 1, "pendulum", value)
+        .model_copy(update={"provenance": Provenance(certkit=version, inputs=data, packages={}), "id": ""})
+        .with_id()
+        for value, version in ((280.0, "1"), (250.0, "2"))
+    )
+    logbook = kept(tmp_path, [first])
+    again.write(tmp_path / "again.json")
+    with pytest.raises(DataError, match=rf"in the logbook already, as {first.id}.*fail"):
+        add(logbook, [tmp_path / "again.json"])
+    assert [entry.verdict for entry in logbook.entries("A-1")] == ["fail"]
+
+
+def test_one_serial_number_written_in_two_ways_is_one_legform_unless_the_rules_say_otherwise(tmp_path: Path):
+    logbook = kept(
+        tmp_path,
+        [
+            document("FLX-0007", BEGIN, 1, "pendulum", 250.0),
+            document("flx-0007", BEGIN + timedelta(days=1), 2, "inverse", 250.0),
+        ],
+    )
+    assert logbook.serials() == ["FLX-0007"]
+    assert overview(logbook, "Flx-0007").counts == {"inverse": 1, "pendulum": 1}
+    assert logbook.serials(exact=True) == ["FLX-0007", "flx-0007"]
+    exact = shipped_rules().model_copy(update={"serial_numbers": "exact"})
+    assert overview(logbook, "flx-0007", rules=exact).counts == {"inverse": 1}
+
+
+@pytest.mark.parametrize("kind", ["virtual certification", "virtual test"])
+def test_what_was_not_measured_is_never_booked_for_a_legform(tmp_path: Path, kind: str):
+    result = document("A-1", BEGIN, 1, "pendulum", 250.0).model_copy(update={"kind": kind, "id": ""})
+    if kind in get_args(Kind):
+        with pytest.raises(DataError, match=f"is a {kind}; a legform's logbook holds measured tests only"):
+            kept(tmp_path, [result.with_id()])
+    assert not (tmp_path / "book" / "results").exists() or not list((tmp_path / "book" / "results").iterdir())
+
+
+@pytest.mark.parametrize("verdict", ["fail", "conditional", "error"])
+def test_a_later_test_that_does_not_pass_takes_the_certification_back(tmp_path: Path, verdict: str):
+    tests = [document("A-1", BEGIN, n, name, 250.0) for n, name in enumerate(CERTIFICATIONS)]
+    later = document("A-1", BEGIN + timedelta(days=3), 9, "pendulum", 250.0)
+    later = later.model_copy(update={"verdict": verdict, "id": ""}).with_id()
+    assert overview(kept(tmp_path / "before", tests), "A-1").state == "valid"
+    leg = overview(kept(tmp_path / "after", [*tests, later]), "A-1")
+    assert leg.state == "revoked"
+    assert any(f"ended in `{verdict}`" in line.why for line in leg.validity)
+    mended = document("A-1", BEGIN + timedelta(days=4), 10, "pendulum", 250.0)
+    assert overview(kept(tmp_path / "mended", [*tests, later, mended]), "A-1").state == "valid"
 
 
 def test_the_same_test_is_kept_once(logbook: Logbook, tmp_path: Path):
