@@ -67,9 +67,9 @@ class LogbookEntry:
     recordings: tuple[str, ...] = ()
 
     @property
-    def test_key(self) -> tuple[str, tuple[str, ...]]:
-        """What makes it this test, however often it was graded."""
-        return self.procedure, self.recordings
+    def test_key(self) -> tuple[str, str, tuple[str, ...]]:
+        """What makes it this test, however often it was graded: procedure, the laboratory's number, data."""
+        return self.procedure, self.number, self.recordings
 
     @property
     def order(self) -> tuple[date, list[tuple[int, int, str]], str]:
