@@ -52,7 +52,7 @@ def test_an_override_is_a_path_with_a_value_in_words_or_a_number():
         },
     )
     assert setup.overrides[0].path == "rig.release.angle"
-    assert setup.legform.parts.femur.segments == 6
+    assert setup.legform.parts["femur"].segments == 6
     assert setup.legform.knee.ligaments["MCL"].femur == [pytest.approx(0.04), pytest.approx(0.02)]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import PurePath
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from certkit.errors import UsageError
 
@@ -15,9 +15,6 @@ if TYPE_CHECKING:
 
     from pydantic import BaseModel
 
-    from certkit.definitions.loading.old_forms import Modernise
-    from certkit.definitions.loading.overrides import Overrides
-    from certkit.definitions.loading.yaml_reader import Tree
     from certkit.errors import Problem
 
 
@@ -78,15 +75,10 @@ class Kind:
         """Return the check of a whole file, if there is one: of its tree, asking a `library`."""
         return cast("Callable[..., list[Problem]]", _named(self.checks)) if self.checks else None
 
-    def today(
-        self, tree: Tree, overrides: Overrides | None = None
-    ) -> tuple[Tree, Overrides, tuple[str, ...]]:
-        """Bring a file and changes of its values into today's form; see `loading.old_forms.modernised`."""
-        if not self.old_forms:
-            return tree, overrides or {}, ()
-        from certkit.definitions.loading.old_forms import modernised  # noqa: PLC0415  # for these kinds only
-
-        return modernised(tree, overrides or {}, cast("Modernise", _named(self.old_forms)), self.prefix)
+    @property
+    def modernise(self) -> Callable[..., Any] | None:
+        """Return what brings an old form of a file into today's, if there is one; see `loading.old_forms`."""
+        return cast("Callable[..., Any]", _named(self.old_forms)) if self.old_forms else None
 
 
 def _named(home: str) -> object:

@@ -18,6 +18,7 @@ from pydantic import BaseModel
 
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS, Kind, kind_of
+from certkit.definitions.loading.old_forms import modernised
 from certkit.definitions.loading.overrides import Change, Overrides, change
 from certkit.definitions.loading.search_path import ENDINGS, FolderShelf, Found, Shelf, is_name, shipped_shelf
 from certkit.definitions.loading.validation import read_bytes, validate
@@ -158,7 +159,7 @@ def parse(
 ) -> Loaded[BaseModel]:
     """Read a found definition; see `load`."""
     model = kind.model
-    tree, overrides, remarks = kind.today(read_tree(found.data, found.file), overrides or {})
+    tree, overrides, remarks = modernised(kind, read_tree(found.data, found.file), overrides)
     tree, changes = change(tree, overrides, model, kind.prefix)
     numbered = tuple(entry.remark for entry in changes if entry.remark)
     for remark in numbered:

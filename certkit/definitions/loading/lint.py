@@ -10,6 +10,7 @@ from certkit.definitions.loading.cross_references import disagreements
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS, Kind
 from certkit.definitions.loading.library import find, neighbours, shelves
+from certkit.definitions.loading.old_forms import modernised
 from certkit.definitions.loading.search_path import Found
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import Tree, read_tree
@@ -63,7 +64,7 @@ def _survey(found: Found, kind: Kind | None, library: Library) -> Surveyed:
     try:
         tree = read_tree(found.data, found.file)
         known = kind or kind_in(tree)
-        tree, _, _ = known.today(tree)
+        tree, _, _ = modernised(known, tree)
         check = known.check
         document = validate(tree, known.model, partial(check, library=library) if check else None)
     except DefinitionError as error:

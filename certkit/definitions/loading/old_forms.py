@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from certkit.definitions.loading.faults import Steps
+    from certkit.definitions.loading.kinds import Kind
     from certkit.definitions.loading.overrides import Overrides
 
 
@@ -49,27 +50,28 @@ Modernise = Callable[[dict[str, Any]], Moved]
 
 
 def modernised(
-    tree: Tree, overrides: Overrides, modernise: Modernise, prefix: str = ""
+    kind: Kind, tree: Tree, overrides: Overrides | None = None
 ) -> tuple[Tree, Overrides, tuple[str, ...]]:
     """Bring a file and the changes of its values into today's form.
 
     Parameters
     ----------
+    kind : Kind
+        Of the file.
     tree : Tree
         As read.
-    overrides : mapping of str to value
+    overrides : mapping of str to value, optional
         Values by their paths.
-    modernise : callable
-        Of the file's kind.
-    prefix : str
-        What stands before the paths on the command line: `vehicle.`.
 
     Returns
     -------
     tree, overrides, remarks
         The remarks are also given as `OldFormWarning`.
     """
-    moved = modernise(tree.data)
+    if kind.modernise is None:
+        return tree, overrides or {}, ()
+    modernise: Modernise = kind.modernise
+    moved, prefix = modernise(tree.data), kind.prefix
     remarks = [f"{tree.file}: {moved.remark}"] if moved.remark else []
     if moved.remark:
         places = [
@@ -77,7 +79,7 @@ def modernised(
         ]
         tree = replace(tree, data=moved.data, values=places[0], keys=places[1])
     changed: dict[str, object] = {}
-    for path, value in overrides.items():
+    for path, value in (overrides or {}).items():
         today = _today(path.strip(), moved.moves)
         if today is not None:
             remarks.append(f"`{prefix}{path.strip()}` is an old path; write `{prefix}{today}`")
