@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from certkit.documents.result import Result
 
 
-def compare(
+def compare(  # noqa: PLR0913  # as many as `certkit compare` has options
     a: str | Path | Result,
     b: str | Path | Result,
     *,
@@ -32,6 +32,7 @@ def compare(
     lenient: bool = False,
     library: Library = (),
     until: float | None = None,
+    unverified: bool = False,
 ) -> ComparisonDocument:
     """Compare two tests.
 
@@ -52,14 +53,18 @@ def compare(
         Folders with own definitions.
     until : float, optional
         End of the comparison, s after contact.
+    unverified : bool
+        Compare results that were changed since certkit wrote them as well, and say so in the comparison.
 
     Raises
     ------
     DataError
-        When a source cannot be read, or they share nothing.
+        When a source cannot be read, was changed, or they share nothing.
     """
     own = read_document(Path(mapping), Mapping, all_channels(library)) if mapping is not None else None
-    first, second = (load_source(source, own, lenient=lenient, library=library) for source in (a, b))
+    first, second = (
+        load_source(source, own, lenient=lenient, library=library, unverified=unverified) for source in (a, b)
+    )
     sheet = _procedure(procedure, (first, second), library)
     if first.recording.kind == "simulated" and second.recording.kind == "measured":
         first, second = second, first

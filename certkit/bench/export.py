@@ -10,6 +10,7 @@ from certkit.bench.sources import load_source
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.channel_tables import all_channels
 from certkit.definitions.loading.validation import read_document
+from certkit.documents.unverified import MARK, is_marked
 from certkit.errors import UsageError
 from certkit.exchange.channels_csv import write_csv
 from certkit.exchange.mme_write import write_mme
@@ -27,6 +28,7 @@ def export(
     *,
     mapping: str | Path | None = None,
     library: Library = (),
+    unverified: bool = False,
 ) -> Path:
     """Write a recording as ISO-MME folder, archive (`.zip`) or CSV (`.csv`), as the target's name says.
 
@@ -40,6 +42,8 @@ def export(
         Mapping file with a laboratory's own ISO-MME codes to write with.
     library : str, Path, or sequence of them
         Folders with own legforms.
+    unverified : bool
+        Export a result that was changed since certkit wrote it as well, and say so in the file.
 
     Returns
     -------
@@ -49,7 +53,7 @@ def export(
     Raises
     ------
     DataError
-        When the source cannot be read.
+        When the source cannot be read, or was changed.
     UsageError
         When the target's name ends in something else, or its folder exists.
     """
@@ -57,9 +61,9 @@ def export(
     own = read_document(Path(mapping), Mapping, all_channels(library)) if mapping is not None else None
     if target.suffix.lower() not in {"", ".csv", ".zip"}:
         raise UsageError(f"{target}: name a folder (ISO-MME), a .zip (ISO-MME archive) or a .csv file")
-    loaded = load_source(source, library=library)
+    loaded = load_source(source, library=library, unverified=unverified)
     if target.suffix.lower() == ".csv":
-        write_csv(loaded.recording, target)
+        write_csv(loaded.recording, target, result_id=MARK if is_marked(loaded.result) else "")
         return target
     title = loaded.result.title if loaded.result else ""
     write_mme(_worded(loaded.recording), target, header={"Title": title} if title else {}, mapping=own)

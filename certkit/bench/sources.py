@@ -10,6 +10,7 @@ from certkit.bench.regrade import embedded_shelf
 from certkit.definitions.loading.channel_tables import known_channels, legform_channels
 from certkit.documents.channel_curves import recording_of
 from certkit.documents.result import Result
+from certkit.documents.unverified import MARK, is_marked, trusted
 from certkit.exchange.read import read_recording
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ def load_source(
     *,
     lenient: bool = False,
     library: Library = (),
+    unverified: bool = False,
 ) -> Source:
     """Load what a path means, or take a result as it is.
 
@@ -46,11 +48,13 @@ def load_source(
         Likewise.
     library : sequence of Path
         Folders with own legforms: measured data may be of any of them.
+    unverified : bool
+        Take a result file that was changed since certkit wrote it as well, marked as such.
 
     Raises
     ------
     DataError
-        When it is none of them, or is damaged.
+        When it is none of them, is damaged, or was changed.
     """
     if isinstance(source, Result):
         # With the digits of its file, so that both are compared alike.
@@ -59,8 +63,9 @@ def load_source(
     path = Path(source)
     document = path / "result.json" if path.is_dir() else path
     if document.suffix.lower() == ".json" and document.is_file():
-        result = Result.read(document)
-        return Source(_label(path), _recording(result), result)
+        result = trusted(Result.read(document), str(document), unverified=unverified)
+        label = f"{_label(path)} ({MARK})" if is_marked(result) else _label(path)
+        return Source(label, _recording(result), result)
     read = read_recording(path, mapping, lenient=lenient, tables=known_channels(library))
     return Source(_label(path), read.recording)
 

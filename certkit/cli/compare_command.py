@@ -44,6 +44,7 @@ def compare(
         str, typer.Option("--format", help="`html`, or `none`. The JSON is always written.")
     ] = "html",
     library: options.Libraries = None,
+    unverified: options.Unverified = False,
     as_json: options.AsJson = False,
 ) -> None:
     """Compare two tests: error table, ISO/TS 18571 rating per channel, overlaid curves.
@@ -64,6 +65,7 @@ def compare(
         lenient=lenient,
         library=tuple(library or ()),
         until=None if until is None else until * 1e-3,
+        unverified=unverified,
     )
     folder = out or Path("runs") / f"compare-{document.reference.label}-{document.other.label}".replace(
         " ", "-"

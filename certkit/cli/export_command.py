@@ -22,7 +22,12 @@ MappingFile = Annotated[
 
 
 def export(
-    source: Source, target: Target, *, mapping: MappingFile = None, library: options.Libraries = None
+    source: Source,
+    target: Target,
+    *,
+    mapping: MappingFile = None,
+    library: options.Libraries = None,
+    unverified: options.Unverified = False,
 ) -> None:
     """Write the channels of a run or a test as ISO-MME (ISO/TS 13499) or CSV.
 
@@ -30,5 +35,5 @@ def export(
     """
     from certkit.bench.export import export as write  # noqa: PLC0415  # numpy waits until it is needed
 
-    write(source, target, mapping=mapping, library=tuple(library or ()))
+    write(source, target, mapping=mapping, library=tuple(library or ()), unverified=unverified)
     typer.echo(f"wrote {target}; `certkit grade --procedure NAME {target}` grades it again", err=True)

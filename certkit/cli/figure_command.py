@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+
 Document = Annotated[Path, typer.Argument(metavar="RESULT.json", help="Result document.")]
 
 
@@ -38,6 +40,7 @@ def figure(
         Path | None,
         typer.Option("--out", help="File without its ending.", show_default="PROCEDURE-WHAT beside the JSON"),
     ] = None,
+    unverified: options.Unverified = False,
 ) -> None:
     """Draw one figure.
 
@@ -47,7 +50,7 @@ def figure(
     from certkit.reporting.figure_files import figure_files  # noqa: PLC0415  # likewise
 
     wanted = [name.strip() for name in formats.split(",") if name.strip()]
-    name, contents = figure_files(result, what, wanted, channels=channel or (), beside=beside)
+    name, contents = figure_files(result, what, wanted, channels=channel or (), beside=beside, unverified=unverified)
     base = out or result.parent / f"{name}-{what}"
     for form, content in contents.items():
         path = base.with_name(f"{base.name}.{form}")

@@ -32,6 +32,13 @@ Language = Annotated[
 ]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only the verdict table and errors.")]
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Also tell what is done, step by step.")]
+Unverified = Annotated[
+    bool,
+    typer.Option(
+        "--unverified",
+        help="Take a document that was changed since certkit wrote it, and say so on everything made of it.",
+    ),
+]
 AsJson = Annotated[bool, typer.Option("--json", help="Print the JSON document alone on standard output.")]
 Allow = Annotated[
     list[str] | None,

@@ -48,6 +48,7 @@ def report(
             help="Sign the PDFs with this PKCS #12 key; its passphrase is taken from CERTKIT_PASSPHRASE.",
         ),
     ] = None,
+    unverified: options.Unverified = False,
     title: Annotated[str, typer.Option("--title", help="Title of a suite.")] = "Certification suite",
 ) -> None:
     """Render any document that certkit wrote again, from its JSON alone: the same bytes as before."""
@@ -59,7 +60,7 @@ def report(
     from certkit.reporting.signing import sign as sign_pdf  # noqa: PLC0415  # likewise
 
     wanted = None if formats is None else [name.strip() for name in formats.split(",") if name.strip()]
-    documents = [(path, document) for path in results for document in read_documents(path)]
+    documents = [(path, document) for path in results for document in read_documents(path, unverified=unverified)]
     written: list[Path] = []
     for path, document in documents:
         name = document.procedure if isinstance(document, Result) else path.stem

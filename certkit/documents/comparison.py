@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
+from certkit.documents.consistent_lists import check_axis, check_lengths, check_sizes
 from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.result import ComparisonRow, Verdict
 from certkit.documents.rounding import Figure, Figures
@@ -50,6 +51,16 @@ class Overlay(Part):
     reference: Figures
     other: Figures
     difference: Figures
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        """Refuse curves that do not lie on one time axis."""
+        lists = {"reference": self.reference, "other": self.other, "difference": self.difference}
+        check_axis(self.start, self.interval, len(self.reference))
+        check_lengths(len(self.reference), lists, "samples")
+        for name, values in lists.items():
+            check_sizes(name, values)
+        return self
 
 
 class ComparisonDocument(OutputDocument):

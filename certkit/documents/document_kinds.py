@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from certkit.documents.output_document import OutputDocument, content_of
+from certkit.documents.unverified import trusted
 from certkit.errors import DataError
 
 if TYPE_CHECKING:
@@ -49,15 +50,23 @@ def document_in(folder: Path) -> Path | None:
     return next((file for file in files if file.is_file()), None)
 
 
-def read_documents(path: Path) -> list[OutputDocument]:
+def read_documents(path: Path, *, unverified: bool = False) -> list[OutputDocument]:
     """Read a file that holds a document of any kind, or a JSON list of some.
+
+    Parameters
+    ----------
+    path : Path
+    unverified : bool
+        Take one that was changed since certkit wrote it as well, marked as such.
 
     Raises
     ------
     DataError
-        When it is missing, damaged, or no document that certkit writes.
+        When it is missing, damaged, changed, or no document that certkit writes.
     """
-    return documents_from(content_of(path, "document that certkit wrote, such as result.json"), str(path))
+    content = content_of(path, "document that certkit wrote, such as result.json")
+    found = documents_from(content, str(path))
+    return [trusted(document, str(path), unverified=unverified) for document in found]
 
 
 def documents_from(content: bytes, name: str) -> list[OutputDocument]:

@@ -6,10 +6,11 @@ its meaning.
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
-from pydantic import Field
+from pydantic import AfterValidator, Field, model_validator
 
+from certkit.documents.consistent_lists import check_axis, check_lengths, plain_name
 from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.rounding import Figure, FigureTuple
 
@@ -115,7 +116,7 @@ class ExtractionResult(OutputDocument):
     made_by: ClassVar = "certkit extract"
 
     schema_: Annotated[Literal["certkit-extraction/1"], Field(alias="schema")] = "certkit-extraction/1"
-    case: str
+    case: Annotated[str, AfterValidator(plain_name)]
     title: str
     start: Figure
     interval: Figure
@@ -129,6 +130,30 @@ class ExtractionResult(OutputDocument):
     notes: tuple[str, ...]
     inputs: dict[str, str] = Field(default_factory=dict)
     certkit: str = ""
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        """Refuse histories that do not lie on the time axis, and laws and materials of unequal columns."""
+        check_axis(self.start, self.interval, self.count)
+        for group in self.groups:
+            lists = {"momentum": group.momentum, "displacement": group.displacement}
+            check_lengths(self.count, {f"{group.name}: {k}": v for k, v in lists.items()}, "samples")
+        for path in self.paths:
+            lists = {"impulse": path.impulse, "force": path.force, "shortening": path.shortening}
+            if path.recorded_force is not None:
+                lists["recorded_force"] = path.recorded_force
+            check_lengths(self.count, {f"{path.name}: {k}": v for k, v in lists.items()}, "samples")
+            if path.law is not None:
+                points = len(path.law.shortening)
+                check_lengths(points, {f"{path.name}: law.force": path.law.force}, "shortenings")
+        if self.material is not None:
+            m = self.material
+            check_lengths(len(m.strain), {"material.stress": m.stress}, "strains")
+            unloading = {"material.unloading_stress": m.unloading_stress}
+            check_lengths(len(m.unloading_strain), unloading, "strains")
+            reference = {"material.reference_stress": m.reference_stress}
+            check_lengths(len(m.reference_strain), reference, "strains")
+        return self
 
     @property
     def times(self) -> list[float]:

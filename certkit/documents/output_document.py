@@ -150,6 +150,22 @@ class OutputDocument(Part):
         digest = hashlib.sha256(counted.encode()).hexdigest()[:ID_LENGTH].upper()
         return "-".join(digest[i : i + ID_GROUP] for i in range(0, ID_LENGTH, ID_GROUP))
 
+    def check_id(self, name: str) -> None:
+        """Refuse a document whose content was changed since it got its id.
+
+        Raises
+        ------
+        DataError
+            When the id is not the one that the content makes; one without an id is unfinished, and told so.
+        """
+        made = self.content_id()
+        if made != self.id:
+            said = f"it says {self.id}, its content makes {made}" if self.id else "it has no id"
+            raise DataError(
+                f"{name}: its content was changed since certkit wrote it: {said}; `certkit verify` tells "
+                "more, `--unverified` goes on nevertheless and says so on everything that is made of it"
+            )
+
     def with_id(self) -> Self:
         """Return the document with its id filled in."""
         return self.model_copy(update={"id": self.content_id()})

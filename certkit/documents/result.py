@@ -7,11 +7,12 @@ meaning. Reasons stand as codes (`coded_reason`) beside their English words (`re
 
 from __future__ import annotations
 
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import Field
+from pydantic import AfterValidator, Field, model_validator
 
 from certkit.definitions.provenance import Confidence
+from certkit.documents.consistent_lists import check_axis, check_lengths, check_sizes, plain_name
 from certkit.documents.data_frames import CriteriaFrame, SeriesFrame
 from certkit.documents.list_by_id import ListById
 from certkit.documents.output_document import NOT_IN_ID, OutputDocument, Part
@@ -189,6 +190,15 @@ class Histories(SeriesFrame, Part):
     count: int
     series: dict[str, Series]
 
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        """Refuse series that do not lie on the time axis."""
+        check_axis(self.start, self.interval, self.count)
+        check_lengths(self.count, {name: each.values for name, each in self.series.items()}, "samples")
+        for name, each in self.series.items():
+            check_sizes(name, each.values)
+        return self
+
 
 class Shape(Part):
     """Something that moves or stands in the moving picture: an outline in its own axes, metres."""
@@ -209,6 +219,17 @@ class Motion(Part):
     moments: Rows = []
     unit: str = "N·m"
     scene: Annotated[list[Shape], Field(description="Shapes that never move, in world axes.")] = []
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        """Refuse poses that do not belong to the times and shapes."""
+        check_lengths(len(self.times), {"poses": self.poses}, "times")
+        shapes, joints = len(self.shapes), len(self.joints)
+        check_lengths(shapes, {f"poses.{f}": row for f, row in enumerate(self.poses)}, "shapes")
+        if self.moments:
+            check_lengths(len(self.times), {"moments": self.moments}, "times")
+            check_lengths(joints, {f"moments.{f}": row for f, row in enumerate(self.moments)}, "joints")
+        return self
 
 
 class InputFile(Part):
@@ -267,7 +288,7 @@ class Result(CriteriaFrame, OutputDocument):
 
     schema_: Annotated[Literal["certkit-result/1"], Field(alias="schema")] = "certkit-result/1"
     kind: Kind
-    procedure: str
+    procedure: Annotated[str, AfterValidator(plain_name)]
     title: str
     verdict: Verdict
     remarks: Annotated[list[str], Field(description="What the verdict rests on and does not cover.")] = []

@@ -5,10 +5,11 @@ The table of all runs stands in files of its own beside it; the clouds of runs t
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
+from certkit.documents.consistent_lists import check_lengths
 from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.rounding import Figure, FigureOrWord, Figures, Points
 
@@ -73,6 +74,12 @@ class QuickModel(Part):
         Field(description="Share of the variance predicted so; below 0 it is worse than the mean."),
     ]
 
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        """Refuse a polynomial whose terms lack a coefficient."""
+        check_lengths(len(self.terms), {"coefficients": self.coefficients}, "terms")
+        return self
+
 
 class Chance(Part):
     """How often a criterion stayed inside; a run without the value counts as outside."""
@@ -98,6 +105,12 @@ class Cloud(Part):
     x: Figures
     y: Figures
     line: Points = Field(default_factory=list)
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        """Refuse a cloud whose dots lack a coordinate."""
+        check_lengths(len(self.x), {"y": self.y}, "values of `x`")
+        return self
 
 
 class StudyReport(OutputDocument):

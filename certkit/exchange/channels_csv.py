@@ -118,9 +118,9 @@ def csv_text(recording: Recording, *, procedure: str = "", result_id: str = "", 
     )
 
 
-def write_csv(recording: Recording, path: Path) -> None:
+def write_csv(recording: Recording, path: Path, *, result_id: str = "") -> None:
     """Write a recording as CSV; see `csv_text`."""
-    write_whole(path, csv_text(recording))
+    write_whole(path, csv_text(recording, result_id=result_id))
 
 
 def column_names(table: CsvTable) -> list[str]:

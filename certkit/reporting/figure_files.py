@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 from certkit.documents.document_kinds import read_documents
 from certkit.documents.extraction import ExtractionResult
 from certkit.documents.result import Result
+from certkit.documents.unverified import is_marked, trusted
 from certkit.errors import UsageError
-from certkit.reporting.figures import figure, painted
+from certkit.reporting.figures import figure, painted, stamped
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,6 +23,7 @@ def figure_files(
     *,
     channels: Sequence[str] = (),
     beside: Path | None = None,
+    unverified: bool = False,
 ) -> tuple[str, dict[str, bytes]]:
     """Draw a figure of the document in each format.
 
@@ -36,6 +38,8 @@ def figure_files(
         `svg`, `png`.
     beside : Path, optional
         A second result.
+    unverified : bool
+        Draw documents that were changed since certkit wrote them as well, and say so in the figure.
 
     Returns
     -------
@@ -47,12 +51,12 @@ def figure_files(
     UsageError
         When there is no such figure of that document.
     """
-    found = read_documents(document)[0]
+    found = read_documents(document, unverified=unverified)[0]
     if isinstance(found, ExtractionResult):
         return _of_extraction(found, document, what, forms, channels)
     if not isinstance(found, Result):
         raise UsageError(f"{document}: there are figures of results and extractions, not of a {found.noun}")
-    other = Result.read(beside) if beside else None
+    other = trusted(Result.read(beside), str(beside), unverified=unverified) if beside else None
     return found.procedure, {
         form: figure(found, what, form, channels=channels, beside=other) for form in forms
     }
@@ -68,4 +72,6 @@ def _of_extraction(
     drawing = extraction_drawing(result, what, paths)
     if drawing is None:
         raise UsageError(f"{document}: the extraction holds nothing to draw `{what}` from")
+    if is_marked(result):
+        drawing = stamped(drawing)
     return result.case, {form: painted(drawing, form) for form in forms}

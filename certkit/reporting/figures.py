@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Literal, get_args
 
+from certkit.documents.unverified import MARK, is_marked
 from certkit.errors import UsageError
 from certkit.reporting.charts.channel_history import history_chart, times
 from certkit.reporting.charts.error_bars import errors_chart
@@ -13,6 +15,7 @@ from certkit.reporting.charts.motion_frames import frames_chart, key_frames
 from certkit.reporting.charts.plane import plane_chart
 from certkit.reporting.charts.tables import corridors_table, errors_table
 from certkit.reporting.result_view import ordered_channels
+from certkit.reporting.svg import FONT, label
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -72,7 +75,13 @@ def figure(
         drawing = _draw(result, what, channels)
     if drawing is None:
         raise UsageError(f"{result.procedure}: the result holds nothing to draw `{what}` from")
-    return painted(drawing, form)
+    return painted(stamped(drawing) if is_marked(result, beside) else drawing, form)
+
+
+def stamped(drawing: Drawing) -> Drawing:
+    """Return a drawing that says across its top that its document was changed."""
+    words = label(4, 11, MARK, font_size=11, font_weight=600, font_family=FONT, fill="#b00020")
+    return replace(drawing, body=drawing.body + words)
 
 
 def painted(drawing: Drawing, form: str) -> bytes:

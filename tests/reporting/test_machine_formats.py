@@ -88,7 +88,7 @@ def test_the_summary_shows_verdict_and_every_criterion(measured: Result):
 
 
 def test_a_bar_in_a_title_does_not_make_a_column():
-    text = summary([synthetic_result.result(title="a | b <b>", procedure="p|q")])
+    text = summary([synthetic_result.result(title="a | b <b>")])
     assert "a \\| b &lt;b>" in text
 
 

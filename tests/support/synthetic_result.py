@@ -354,17 +354,17 @@ def laboratory_document() -> dict[str, Any]:
 
 def result(**changes: object) -> Result:
     """Return the pendulum result."""
-    return Result.model_validate(document(**changes))
+    return Result.model_validate(document(**changes)).with_id()
 
 
 def static_result() -> Result:
     """Return the static bending result."""
-    return Result.model_validate(static_document())
+    return Result.model_validate(static_document()).with_id()
 
 
 def laboratory_result() -> Result:
     """Return the measured result."""
-    return Result.model_validate(laboratory_document())
+    return Result.model_validate(laboratory_document()).with_id()
 
 
 def parsed(xml: str | bytes | Drawing) -> ET.Element:
