@@ -50,7 +50,9 @@ def figure(
     from certkit.reporting.figure_files import figure_files  # noqa: PLC0415  # likewise
 
     wanted = [name.strip() for name in formats.split(",") if name.strip()]
-    name, contents = figure_files(result, what, wanted, channels=channel or (), beside=beside, unverified=unverified)
+    name, contents = figure_files(
+        result, what, wanted, channels=channel or (), beside=beside, unverified=unverified
+    )
     base = out or result.parent / f"{name}-{what}"
     for form, content in contents.items():
         path = base.with_name(f"{base.name}.{form}")

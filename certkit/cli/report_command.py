@@ -60,7 +60,9 @@ def report(
     from certkit.reporting.signing import sign as sign_pdf  # noqa: PLC0415  # likewise
 
     wanted = None if formats is None else [name.strip() for name in formats.split(",") if name.strip()]
-    documents = [(path, document) for path in results for document in read_documents(path, unverified=unverified)]
+    documents = [
+        (path, document) for path in results for document in read_documents(path, unverified=unverified)
+    ]
     written: list[Path] = []
     for path, document in documents:
         name = document.procedure if isinstance(document, Result) else path.stem

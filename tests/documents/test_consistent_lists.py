@@ -48,5 +48,5 @@ def test_what_does_not_fit_together_is_refused_with_its_place(
 def test_a_value_that_no_chart_can_show_is_refused():
     document = synthetic_result.document()
     document["curves"]["series"]["T1"]["values"][7] = 1e300
-    with pytest.raises(DataError, match="curves: .*`T1` has a value beyond"):
+    with pytest.raises(DataError, match=r"curves: .*`T1` has a value beyond"):
         read(document)

@@ -33,7 +33,7 @@ def command(*words: object) -> None:
 USES = [("report",), ("figure",), ("export", "out.csv"), ("export", "out.zip"), ("compare", "result.json")]
 
 
-@pytest.mark.parametrize("words", USES, ids=lambda words: "-".join(words))
+@pytest.mark.parametrize("words", USES, ids="-".join)
 def test_a_changed_document_is_refused_by_every_command_that_reads_it(changed: Path, words: tuple[str, ...]):
     name, *further = words
     with pytest.raises(DataError, match=r"result\.json: its content was changed since certkit wrote it"):
