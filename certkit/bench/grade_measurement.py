@@ -72,7 +72,7 @@ def grade(
         data = data / "channels.csv"  # the folder of a run
     read = read_recording(data, own, lenient=lenient, tables=(channels,))
     lab = read_laboratory(laboratory, channels) if laboratory else NO_LABORATORY
-    conditions = merged_conditions(read.recording.conditions, lab.conditions)
+    conditions = merged_conditions(read.told, lab.conditions, str(laboratory))
     files = (
         InputFile(role="recording", path=_shown(data, file.name), sha256=file.sha256) for file in read.files
     )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,7 +14,7 @@ from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.result import InputFile, PreconditionResult
 from certkit.errors import DataError, DefinitionError, Problem
 from certkit.exchange.codes import code_table
-from certkit.exchange.conditions import read_condition
+from certkit.exchange.conditions import Told, read_condition, together
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
 from certkit.grading.grading_terms import LaboratoryTerms
 from certkit.reasons import Reason
@@ -110,25 +109,22 @@ def _conditions(laboratory: Laboratory) -> dict[str, float]:
         try:
             found[word] = read_condition(word, text, table)
         except ValueError as error:
-            raise DataError(f"laboratory file, condition {word}: {error}") from error
+            raise DataError(f"laboratory file, condition {word}: {error}; correct it there") from error
     return found
 
 
-def merged_conditions(told: Mapping[str, float], laboratory: Mapping[str, float]) -> dict[str, float]:
+def merged_conditions(
+    told: Mapping[str, Told], laboratory: Mapping[str, float], file: str
+) -> dict[str, float]:
     """Join the conditions of the data with the laboratory's.
 
     Raises
     ------
     DataError
-        When both tell a condition and differ by more than 0.1 %.
+        When the two contradict each other, with both places.
     """
-    for word, value in laboratory.items():
-        if word in told and not math.isclose(told[word], value, rel_tol=1e-3):
-            raise DataError(
-                f"condition {word}: the data say {told[word]:.6g}, the laboratory file {value:.6g} (SI); "
-                "correct one of them"
-            )
-    return {**told, **laboratory}
+    own = {word: Told(value, f"{file}, condition {word}") for word, value in laboratory.items()}
+    return {word: item.value for word, item in together(told, own).items()}
 
 
 def embedded_logo(name: str, folder: Path) -> str:

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from certkit.cli import options
+from certkit.errors import CertkitError
+
+if TYPE_CHECKING:
+    from certkit.documents.result import Result
 
 Data = Annotated[
     list[Path],
@@ -71,23 +75,29 @@ def grade(
     permitted = terminal.allowed(allow)
     several = len(data) > 1
     folder = out or Path("runs")
-    results = []
+    results: list[Result] = []
+    failures: list[CertkitError] = []
     with terminal.progress(len(data), quiet=quiet or as_json) as step:
         for path in data:
             step(path.name)
-            result = grade_test(
-                procedure,
-                path,
-                laboratory=lab,
-                mapping=mapping,
-                lenient=lenient,
-                library=tuple(library or ()),
-                overrides=overrides_from(overrides or ()),
-            )
             place = folder / path.stem if several or out is None else folder
-            written = render(result, place, wanted, language=language)
+            try:
+                result = grade_test(
+                    procedure,
+                    path,
+                    laboratory=lab,
+                    mapping=mapping,
+                    lenient=lenient,
+                    library=tuple(library or ()),
+                    overrides=overrides_from(overrides or ()),
+                )
+                written = render(result, place, wanted, language=language)
+            except CertkitError as error:
+                # One damaged recording must not take the others with it.
+                failures.append(error)
+                continue
             results.append(result)
             if verbose:
                 terminal.tell_files(written)
     terminal.show(results, as_json=as_json, folder=folder if several or out else place)
-    raise typer.Exit(terminal.exit_code(results, permitted))
+    raise typer.Exit(terminal.exit_code(results, permitted, failures))

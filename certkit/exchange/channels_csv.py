@@ -32,7 +32,7 @@ from certkit.documents.channel_curves import recording_of
 from certkit.documents.rounding import SIGNIFICANT_DIGITS
 from certkit.errors import DataError
 from certkit.exchange.codes import CodeTable, code_table
-from certkit.exchange.conditions import read_condition
+from certkit.exchange.conditions import Told, read_condition
 from certkit.files import write_whole
 from certkit.reasons import Reason
 from certkit.signals.recording import Kind
@@ -67,8 +67,8 @@ class CsvHead:
     time : TimeColumn
     columns : dict of str to Column
         By channel.
-    conditions : dict of str to float
-        SI.
+    conditions : dict of str to Told
+        With their places.
     notes : tuple of Reason
         What was assumed because the head does not say it.
     """
@@ -76,7 +76,7 @@ class CsvHead:
     kind: Kind
     time: TimeColumn
     columns: dict[str, Column]
-    conditions: dict[str, float] = field(default_factory=dict)
+    conditions: dict[str, Told] = field(default_factory=dict)
     notes: tuple[Reason, ...] = ()
 
 
@@ -152,23 +152,32 @@ def read_head(table: CsvTable, known: ChannelTable, leniency: Leniency) -> CsvHe
         elif name not in known.kinds:
             unused.append(name)
         elif name in columns:
-            raise DataError(f"{place}: the column `{name}` stands twice")
+            raise DataError(f"{place}: the column `{name}` stands twice; leave one out")
         else:
-            columns[name] = Column(column=number, unit=unit, filter=_filter(table, name))
+            columns[name] = Column(column=number, unit=unit, filter=told_filter(table, name) or "none")
     if time is None:
-        raise DataError(f"{place}: no column `time [s]`")
+        raise DataError(f"{place}: no column `time [s]`; write its head so, or use --mapping")
     if not columns:
         raise DataError(
             f"{place}: no channel of a {known.impactor} among the heads; other files need --mapping"
         )
     if unused:
         leniency.depart(place, f"unknown channel `{unused[0][:60]}`", "the column is not needed")
+    kind = told_kind(table)
+    notes = () if kind else (Reason.of("kind-not-said", file=table.place),)
+    return CsvHead(
+        kind or "measured", time, columns, told_conditions(table, code_table(channels=known)), notes
+    )
+
+
+def told_kind(table: CsvTable) -> Kind | None:
+    """Return the kind of test that a `# kind:` line names; None where there is none."""
     said, line = table.remarks.get("kind", ("", 0))
     if said and said not in KINDS:
-        raise DataError(f"{table.place}:{line}: the kind `{said[:40]}` is not one of {', '.join(KINDS)}")
-    notes = () if said else (Reason.of("kind-not-said", file=table.place),)
-    kind: Kind = "simulated" if said == "simulated" else "measured"
-    return CsvHead(kind, time, columns, _read_conditions(table, code_table(channels=known)), notes)
+        raise DataError(
+            f"{table.place}:{line}: no kind of test is `{said[:40]}`; write one of {', '.join(KINDS)}"
+        )
+    return next((kind for kind in KINDS if kind == said), None)
 
 
 def _conditions(recording: Recording) -> Iterator[tuple[str, str]]:
@@ -180,24 +189,27 @@ def _conditions(recording: Recording) -> Iterator[tuple[str, str]]:
             yield word, f"{value:.9g} {unit}".rstrip()
 
 
-def _read_conditions(table: CsvTable, codes: CodeTable) -> dict[str, float]:
+def told_conditions(table: CsvTable, codes: CodeTable) -> dict[str, Told]:
+    """Return the conditions that `#` lines tell."""
     found = {}
     for word, (text, line) in table.remarks.items():
         if word in codes.conditions:
             try:
-                found[word] = read_condition(word, text, codes)
+                found[word] = Told(read_condition(word, text, codes), f"{table.place}:{line}")
             except ValueError as error:
-                raise DataError(f"{table.place}:{line}: {word}: {error}") from error
+                raise DataError(f"{table.place}:{line}: {word}: {error}; correct the line") from error
     return found
 
 
-def _filter(table: CsvTable, name: str) -> Filter:
-    """Return the filter that a remark `# filter T1: CFC 180` names."""
-    text, line = table.remarks.get(f"filter {name}", ("none", 0))
+def told_filter(table: CsvTable, name: str) -> Filter | None:
+    """Return the filter that a remark `# filter T1: CFC 180` names; None where there is none."""
+    if f"filter {name}" not in table.remarks:
+        return None
+    text, line = table.remarks[f"filter {name}"]
     known = next((word for word in FILTERS if word == text), None)
     if known is None:
         raise DataError(
-            f"{table.place}:{line}: no filter is called `{text[:40]}`; there are {', '.join(FILTERS)}"
+            f"{table.place}:{line}: no filter is called `{text[:40]}`; write one of {', '.join(FILTERS)}"
         )
     return known
 

@@ -54,6 +54,18 @@ def factor(unit: str, kind: ChannelKind) -> float:
         raise ValueError(f"unit `{unit}` for {kind.title}; it is written in {allowed}") from error
 
 
+def any_factor(unit: str) -> dict[str, float]:
+    """Return the factor to SI by each dimension that has this unit; empty when nothing has."""
+    known = _SPELLINGS.get(unit.strip(), unit.strip())
+    found = {}
+    for dimension in UNITS if known else ():
+        try:
+            found[dimension] = parse_quantity(f"1 {known}", dimension)
+        except ValueError:
+            continue
+    return found
+
+
 def quantity(text: str, dimension: str, default_unit: str = "") -> float:
     """Read `20.5 degC`, or `20.5` under a descriptor with a default unit, or `20,5`, as SI.
 
@@ -62,9 +74,9 @@ def quantity(text: str, dimension: str, default_unit: str = "") -> float:
     ValueError
         When it is no finite number with a unit of the dimension.
     """
-    match = re.fullmatch(r"\s*([+-]?\d+(?:[.,]\d+)?(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
+    match = re.fullmatch(r"\s*([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
     if match is None:
-        raise ValueError(f"`{text}` is not a number with a unit")
+        raise ValueError(f"`{text[:60]}` is not a number with a unit")
     number, unit = match.group(1).replace(",", "."), match.group(2) or default_unit
     return parse_quantity(f"{number} {_SPELLINGS.get(unit, unit)}".strip(), dimension)
 

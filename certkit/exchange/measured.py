@@ -11,6 +11,7 @@ from certkit.reasons import Reason
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from certkit.exchange.conditions import Told
     from certkit.signals.recording import Recording
 
 
@@ -36,12 +37,15 @@ class MeasuredData:
         What `lenient` let pass.
     header : mapping of str to str
         What the container says of the test: laboratory, title, date. Not trusted, only shown.
+    told : mapping of str to Told
+        The recording's conditions with the places that tell them.
     """
 
     recording: Recording
     files: tuple[SourceFile, ...]
     assumptions: tuple[Reason, ...] = ()
     header: Mapping[str, str] = field(default_factory=dict)
+    told: Mapping[str, Told] = field(default_factory=dict)
 
 
 class Leniency:

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
-from certkit.exchange.codes import FILTER_OF_LETTER
 from certkit.exchange.container import MAX_SAMPLES
-from certkit.exchange.data_units import factor
+from certkit.exchange.data_units import factor, table_dimension
+from certkit.exchange.mme_checks import check_extremes, data_status, filter_state
 from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.samples import Lines, read_samples
 from certkit.exchange.timebase import TimeBase
-from certkit.reasons import Reason
 from certkit.signals.clipping import find_clipping
 
 if TYPE_CHECKING:
@@ -22,9 +20,8 @@ if TYPE_CHECKING:
 
     from certkit.definitions.channels import ChannelKind
     from certkit.exchange.measured import Leniency
+    from certkit.reasons import Reason
 
-_UNUSABLE = frozenset({"channel failed", "no data", "meaningless data", "system failed"})
-_DOUBTFUL = frozenset({"questionable data"})
 _DEFAULT_UNIT = {
     "moment": "Nm",
     "elongation": "m",
@@ -33,6 +30,8 @@ _DEFAULT_UNIT = {
     "acceleration": "m/s²",
     "angle": "rad",
 }
+_ALSO = {"elongation": "displacement"}
+"""Another word for a dimension, by its own."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +67,7 @@ class MmeChannel:
 
 def read_channel(
     text: str, place: str, code: str, kind: ChannelKind, sign: int, leniency: Leniency
-) -> MmeChannel | None:
+) -> MmeChannel | Reason | None:
     """Read a channel file.
 
     Parameters
@@ -88,8 +87,9 @@ def read_channel(
 
     Returns
     -------
-    MmeChannel or None
-        None when its data are not to be used: the file says so, or has gaps and reading is lenient.
+    MmeChannel, Reason or None
+        The reason when the file says that its data are not to be used; None when it has gaps and reading is
+        lenient.
 
     Raises
     ------
@@ -98,10 +98,11 @@ def read_channel(
     """
     lines = text.split("\n")
     header = read_header(lines, place)
-    status = header.find("Data status")
-    if status and status.value.casefold() in _UNUSABLE:
-        return None
+    refused, doubts = data_status(header, kind.name)
+    if refused is not None:
+        return refused
     _check_code(header, code, leniency)
+    _check_dimension(header, kind, leniency)
     base = _time_base(header, leniency)
     try:
         values = read_samples(Lines(place, header.end + 1, lines[header.end :]))[:, 0]
@@ -110,20 +111,21 @@ def read_channel(
         return None
     base = base.with_count(_count(header, base.count, len(values), leniency))
     if base.count < 2:
-        raise DataError(f"{place}:{header.end + 1}: a single sample; a test has many")
-    scale = _scale(header, kind, leniency)
-    values = sign * scale * values
-    _check_clipping(header, values, scale)
+        raise DataError(f"{place}:{header.end + 1}: a single sample; a test has many: export it again")
+    unit = _unit(header, kind, leniency)
+    scale = factor(unit, kind)
+    check_extremes(header, values, unit, kind, leniency)
+    _check_clipping(header, scale * values, unit, kind)
+    filtered, told = filter_state(header, code, leniency)
     source = header.find("Data source")
-    doubtful = status is not None and status.value.casefold() in _DOUBTFUL
     return MmeChannel(
         kind=kind,
         place=place,
         base=base,
-        values=values,
-        filtered=_filter(header, code, leniency),
+        values=sign * scale * values,
+        filtered=filtered,
         simulated=source is not None and source.value.casefold() == "simulation",
-        notes=(Reason.of("questionable-data", place=place),) if doubtful else (),
+        notes=(*doubts, *told),
     )
 
 
@@ -150,25 +152,25 @@ def _time_base(header: Header, leniency: Leniency) -> TimeBase:
     line = header.find("Sampling interval")
     if line is None:
         raise DataError(f"{header.place}: no `Sampling interval`; without it there is no time axis")
-    interval = header.number(line)
+    interval = header.quantity(line, "time", "s")
     if not 1e-8 <= interval <= 60.0:
-        raise DataError(f"{header.at(line)}: a sampling interval of {line.value} s cannot be right")
+        raise DataError(
+            f"{header.at(line)}: a sampling interval of {interval:g} s cannot be right; correct it"
+        )
     first = header.find("Time of first sample")
+    begin = header.quantity(first, "time", "s") if first else 0.0
     if first is None:
         leniency.depart(header.place, "no `Time of first sample`", "0 s")
     count = header.find("Number of samples")
     if count is None:
         leniency.depart(header.place, "no `Number of samples`", "the number of lines")
-        return TimeBase(header.number(first) if first else 0.0, interval, -1)
-    if not re.fullmatch(r"\d+", count.value):
-        raise DataError(
-            f"{header.at(count)}: `Number of samples` is `{count.value[:40]}`; a whole number is needed"
-        )
-    if int(count.value) > MAX_SAMPLES:
+        return TimeBase(begin, interval, -1)
+    samples = header.count(count)
+    if samples > MAX_SAMPLES:
         raise DataError(
             f"{header.at(count)}: {count.value[:40]} samples; more than {MAX_SAMPLES} are refused"
         )
-    return TimeBase(header.number(first) if first else 0.0, interval, int(count.value))
+    return TimeBase(begin, interval, samples)
 
 
 def _count(header: Header, stated: int, found: int, leniency: Leniency) -> int:
@@ -183,45 +185,42 @@ def _count(header: Header, stated: int, found: int, leniency: Leniency) -> int:
     return found
 
 
-def _scale(header: Header, kind: ChannelKind, leniency: Leniency) -> float:
-    unit = header.find("Unit")
-    if unit is None:
+def _check_dimension(header: Header, kind: ChannelKind, leniency: Leniency) -> None:
+    """Hold the words of `Dimension` against what the code means."""
+    stated = header.find("Dimension")
+    if stated is None:
+        return
+    word = stated.value.casefold()
+    if word in _DEFAULT_UNIT and word not in {kind.dimension.name, _ALSO.get(kind.dimension.name)}:
+        leniency.depart(
+            header.at(stated),
+            f"`Dimension` is `{stated.value}`, but the code means {kind.title}, a {kind.dimension.name}",
+            "the code is right",
+        )
+
+
+def _unit(header: Header, kind: ChannelKind, leniency: Leniency) -> str:
+    stated = header.find("Unit")
+    if stated is None:
         default = _DEFAULT_UNIT[kind.dimension.name]
         leniency.depart(header.place, "no `Unit`", f"{default}, the default of ISO/TS 13499")
-        return factor(default, kind)
+        return default
     try:
-        return factor(unit.value, kind)
+        factor(stated.value, kind)
     except ValueError as error:
-        raise DataError(f"{header.at(unit)}: {error}") from error
+        raise DataError(f"{header.at(stated)}: {error}") from error
+    return stated.value
 
 
-def _filter(header: Header, code: str, leniency: Leniency) -> str:
-    """Tell the filter state from the code's last letter, which the header must not contradict."""
-    stated = header.find("Channel frequency class")
-    letter = code[-1]
-    if letter not in FILTER_OF_LETTER:
-        place = header.at(stated) if stated else header.place
-        leniency.depart(place, f"filter letter {letter} of {code} tells no CFC", "not filtered yet")
-        return ""
-    filtered = FILTER_OF_LETTER[letter]
-    if stated and filtered and re.fullmatch(r"(CFC\s*)?\d+", stated.value):
-        cfc = "CFC " + stated.value.removeprefix("CFC").strip()
-        if cfc != filtered:
-            leniency.depart(
-                header.at(stated),
-                f"{cfc}, but the code {code} says {filtered}",
-                f"{filtered}, as the code says",
-            )
-    return filtered
-
-
-def _check_clipping(header: Header, values: NDArray[np.float64], scale: float) -> None:
+def _check_clipping(header: Header, values: NDArray[np.float64], unit: str, kind: ChannelKind) -> None:
     stated = header.find("Channel amplitude class")
     if stated is None:
         return
-    clipped = find_clipping(values, abs(header.number(stated) * scale))
+    limit = abs(header.quantity(stated, table_dimension(kind), unit))
+    clipped = find_clipping(values, limit) if limit else None
     if clipped is not None:
+        shown = f"{clipped.level / factor(unit, kind):g} {unit}"
         raise DataError(
-            f"{header.place}:{header.end + clipped.index + 1}: clipped at {clipped.level / scale:g}, the "
-            f"channel's amplitude class (line {stated.number}); the peak is lost"
+            f"{header.place}:{header.end + clipped.index + 1}: clipped at {shown}, the channel's amplitude "
+            f"class (line {stated.number}); the peak is lost: leave the channel out, or repeat the test"
         )

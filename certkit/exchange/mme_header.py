@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import re
 from dataclasses import dataclass
 
 from certkit.errors import DataError
 from certkit.exchange.container import MAX_HEADER_LINES, MAX_LINE
+from certkit.exchange.data_units import quantity
 
 NOVALUE = "NOVALUE"
 
@@ -40,36 +40,81 @@ class Header:
     end: int
 
     def find(self, descriptor: str) -> Line | None:
-        """Return the first line with that descriptor and a value; `NOVALUE` and nothing are no values."""
-        wanted = _plain(descriptor)
-        return next(
-            (x for x in self.lines if _plain(x.descriptor) == wanted and x.value not in {"", NOVALUE}), None
-        )
+        """Return the line with that descriptor and a value; `NOVALUE` and nothing are no values.
+
+        Raises
+        ------
+        DataError
+            When it stands there several times with different values.
+        """
+        told = self.all(descriptor)
+        if not told:
+            return None
+        first, *others = told
+        for other in others:
+            if not _same(first.value, other.value):
+                raise DataError(
+                    f"{self.at(other)}: `{descriptor}` is `{other.value[:60]}` here and "
+                    f"`{first.value[:60]}` in line {first.number}; keep the right one"
+                )
+        return first
 
     def all(self, descriptor: str) -> tuple[Line, ...]:
         """Return all lines with that descriptor and a value."""
         wanted = _plain(descriptor)
-        return tuple(x for x in self.lines if _plain(x.descriptor) == wanted and x.value not in {"", NOVALUE})
+        return tuple(
+            x for x in self.lines if _plain(x.descriptor) == wanted and x.value.upper() not in {"", NOVALUE}
+        )
 
     def at(self, line: Line) -> str:
         """Return `file:line` for messages."""
         return f"{self.place}:{line.number}"
 
-    def number(self, line: Line) -> float:
-        """Return a line's value as a finite number.
+    def quantity(self, line: Line, dimension: str, unit: str) -> float:
+        """Return a line's value in SI.
+
+        Parameters
+        ----------
+        line : Line
+        dimension : str
+            A key of `UNITS`.
+        unit : str
+            Of a bare number; one that stands behind the number is read.
 
         Raises
         ------
         DataError
-            When it is none.
+            When it is no finite number, or one with a unit of another dimension.
         """
         try:
-            value = float(line.value.split()[0])
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            raise DataError(f"{self.at(line)}: `{line.descriptor}` is `{line.value}`; a number is needed")
-        return value
+            return quantity(line.value, dimension, unit)
+        except ValueError as error:
+            hint = "correct it to a number" + (f" in {unit}" if unit else "")
+            raise DataError(f"{self.at(line)}: `{line.descriptor}`: {error}; {hint}") from error
+
+    def count(self, line: Line) -> int:
+        """Return a line's value as a number of things.
+
+        Raises
+        ------
+        DataError
+            When it is no whole number.
+        """
+        if not re.fullmatch(r"\d{1,30}", line.value):
+            raise DataError(
+                f"{self.at(line)}: `{line.descriptor}` is `{line.value[:40]}`; a whole number is needed"
+            )
+        return int(line.value)
+
+
+def _same(one: str, other: str) -> bool:
+    """Tell whether two values say the same, as words or as numbers."""
+    if _plain(one) == _plain(other):
+        return True
+    try:
+        return quantity(one, "ratio") == quantity(other, "ratio")
+    except ValueError:
+        return False
 
 
 def _plain(descriptor: str) -> str:
@@ -90,7 +135,8 @@ def read_header(lines: list[str], place: str) -> Header:
     for number, text in enumerate(lines):
         if len(text) > MAX_LINE:
             raise DataError(
-                f"{place}:{number + 1}: a line of {len(text)} characters; headers have at most {MAX_LINE}"
+                f"{place}:{number + 1}: a line of {len(text)} characters; headers have at most {MAX_LINE}: "
+                "is it the right file?"
             )
         if not text.strip():
             continue
@@ -99,7 +145,8 @@ def read_header(lines: list[str], place: str) -> Header:
             return Header(place, tuple(found), number)
         if len(found) >= MAX_HEADER_LINES:
             raise DataError(
-                f"{place}:{number + 1}: more than {MAX_HEADER_LINES} header lines; this is no ISO-MME header"
+                f"{place}:{number + 1}: more than {MAX_HEADER_LINES} header lines; this is no "
+                "ISO-MME header: name another file"
             )
         found.append(Line(descriptor.strip(), value.strip(), number + 1))
     return Header(place, tuple(found), len(lines))

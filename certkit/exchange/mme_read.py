@@ -17,15 +17,16 @@ from typing import TYPE_CHECKING
 from certkit.definitions.loading.channel_tables import default_channels
 from certkit.errors import DataError
 from certkit.exchange.codes import CodeTable, code_table, table_of_codes
-from certkit.exchange.conditions import mapped_conditions, mme_conditions
+from certkit.exchange.conditions import mapped_conditions, mme_conditions, together
 from certkit.exchange.container import MAX_CHANNELS, Container, open_container
 from certkit.exchange.measured import Leniency, MeasuredData, SourceFile
 from certkit.exchange.mme_channel import MmeChannel, read_channel
+from certkit.exchange.mme_checks import data_status_of_test
 from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import common_base
 from certkit.reasons import Reason
-from certkit.signals.recording import Channel, Recording
+from certkit.signals.recording import Channel, Kind, Recording
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -122,19 +123,21 @@ def read_mme(
         )
         for x in sorted(parts, key=lambda x: list(known.kinds).index(x.kind.name))
     }
-    conditions = mme_conditions(header, table, leniency) | mapped_conditions(mapping, table)
+    told = together(mme_conditions(header, table, leniency), mapped_conditions(mapping, table))
+    kind = _kind(parts, leniency)
+    notes = [*data_status_of_test(header, leniency), *notes]
     recording = Recording(
-        kind="simulated" if all(x.simulated for x in parts) else "measured",
+        kind=kind,
         time=base.times(),
         channels=MappingProxyType(channels),
-        conditions=MappingProxyType(conditions),
+        conditions=MappingProxyType({word: item.value for word, item in told.items()}),
         notes=(*notes, *leniency.assumptions),
         source=path.name,
         table=known,
     )
     shown = {words: line.value for words in _SHOWN if (line := header.find(words))}
     files = tuple(sorted(texts.files, key=lambda x: x.name))
-    return MeasuredData(recording, files, tuple(leniency.assumptions), shown)
+    return MeasuredData(recording, files, tuple(leniency.assumptions), shown, told)
 
 
 def _only(container: Container, suffix: str, path: Path) -> str:
@@ -181,11 +184,12 @@ def _listed(header: Header, place: PurePosixPath, container: Container, leniency
             leniency.depart(header.at(line), f"channel {number} ({code}) has no file", "it was not recorded")
         else:
             found.append(_Listed(file, code))
-    if announced and header.number(announced) > MAX_CHANNELS:
+    count = header.count(announced) if announced else len(named)
+    if announced and count > MAX_CHANNELS:
         raise DataError(
-            f"{header.at(announced)}: {announced.value} channels; more than {MAX_CHANNELS} are refused"
+            f"{header.at(announced)}: {announced.value[:40]} channels; more than {MAX_CHANNELS} are refused"
         )
-    if announced and header.number(announced) != len(named):
+    if announced and count != len(named):
         leniency.depart(
             header.at(announced),
             f"{announced.value} channels announced, {len(named)} named",
@@ -219,7 +223,7 @@ def _channels(
             notes.append(Reason.of("recorded-twice", channel=name, code=wanted[name].code))
         else:
             wanted[name] = item
-    parts = []
+    parts: list[MmeChannel] = []
     for name, item in wanted.items():
         part = read_channel(
             texts.read(item.file),
@@ -229,10 +233,15 @@ def _channels(
             table.signs.get(name, 1),
             leniency,
         )
-        if part is None:
-            notes.append(Reason.of("data-not-usable", channel=name, file=item.file))
-        else:
+        if isinstance(part, Reason):
+            notes.append(part)
+        elif part is not None:
             parts.append(part)
+    if not parts and wanted:
+        said = "; ".join(
+            f"{x.parameters['place']}: `{x.parameters['status']}`" for x in notes if "status" in x.parameters
+        )
+        raise DataError(f"{label}: no channel has data that may be used ({said}); export the test again")
     if not parts:
         seen = ", ".join(others[:3]) or "none"
         raise DataError(
@@ -242,6 +251,19 @@ def _channels(
     if others:
         notes.append(Reason.of("codes-not-used", codes=others))
     return parts, notes
+
+
+def _kind(parts: Sequence[MmeChannel], leniency: Leniency) -> Kind:
+    """Tell whether the channels were simulated or measured; they must agree."""
+    simulated = [part for part in parts if part.simulated]
+    if simulated and len(simulated) < len(parts):
+        other = next(part for part in parts if not part.simulated)
+        leniency.depart(
+            simulated[0].place,
+            f"`Data source` is `simulation`, but {other.place} was measured",
+            "the test was measured",
+        )
+    return "simulated" if len(simulated) == len(parts) else "measured"
 
 
 def _of_two(name: str, first: _Listed, second: _Listed, label: str) -> _Listed:

@@ -31,6 +31,8 @@ class Lines:
         Values a line must have.
     delimiter : str, optional
         Between them; None for white space.
+    decimal : str
+        Sign before the fraction.
     """
 
     place: str
@@ -38,22 +40,38 @@ class Lines:
     lines: Sequence[str]
     columns: int = 1
     delimiter: str | None = None
+    decimal: str = "."
+
+    @property
+    def end(self) -> int:
+        """Number of lines without the empty ones at the end; a row of delimiters is empty too."""
+        nothing = f" \t{self.delimiter or ''}"
+        end = len(self.lines)
+        while end and not self.lines[end - 1].strip(nothing):
+            end -= 1
+        return end
 
     def cells(self) -> Iterator[tuple[int, list[str]]]:
-        """Yield the number of each line that is not empty, and its values.
+        """Yield the number of each line and its values.
 
         Raises
         ------
         DataError
-            When a line has another number of values.
+            When a line has another number of values, or none.
         """
-        for number, line in enumerate(self.lines, self.first):
+        for number, line in enumerate(self.lines[: self.end], self.first):
             if not line.strip():
-                continue
+                raise DataError(
+                    f"{self.place}:{number}: an empty line between the samples, where one may be lost; "
+                    "export the test again, or remove the line"
+                )
             cells = [cell.strip() for cell in line.split(self.delimiter)]
             if len(cells) != self.columns:
                 wanted = "one" if self.columns == 1 else f"{self.columns} values"
-                raise DataError(f"{self.place}:{number}: {len(cells)} values where {wanted} should be")
+                raise DataError(
+                    f"{self.place}:{number}: {len(cells)} values where {wanted} should be; was the "
+                    "line cut, or is the delimiter another? Export the test again"
+                )
             yield number, cells
 
 
@@ -79,15 +97,17 @@ def read_samples(lines: Lines, use: Sequence[int] = (0,)) -> NDArray[np.float64]
     DataError
         With the line of the first thing that is not a finite number.
     """
-    end = len(lines.lines)
-    while end and not lines.lines[end - 1].strip():
-        end -= 1
+    end = lines.end
     if not end:
-        raise DataError(f"{lines.place}:{lines.first}: there are no samples")
+        raise DataError(f"{lines.place}:{lines.first}: there are no samples; export the test again")
+    text = lines.lines[:end]
+    grouped = lines.decimal == "," and any("." in line for line in text)
+    if lines.decimal == ",":
+        text = [line.replace(",", ".") for line in text]
     delimiter, everything = lines.delimiter, list(use) == list(range(lines.columns))
     try:
         values = np.loadtxt(
-            lines.lines[:end],
+            text,
             dtype=np.float64,
             delimiter=delimiter,
             comments=None,
@@ -97,12 +117,11 @@ def read_samples(lines: Lines, use: Sequence[int] = (0,)) -> NDArray[np.float64]
     except ValueError:
         values = np.empty((0, 0))
     # Where `loadtxt` only looks at some columns it does not see that a line has more or fewer of the others.
-    whole = everything or all(len(line.split(delimiter)) == lines.columns for line in lines.lines[:end])
-    if values.shape != (end, len(use)) or not whole or not np.isfinite(values).all():
-        _, faults = read_with_gaps(lines, use)
-        raise DataError(
-            min(faults.values(), default=f"{lines.place}:{lines.first}: the samples cannot be read")
-        )
+    whole = everything or all(len(line.split(delimiter)) == lines.columns for line in text)
+    if grouped or values.shape != (end, len(use)) or not whole or not np.isfinite(values).all():
+        values, faults = read_with_gaps(lines, use)
+        if faults:
+            raise DataError(next(iter(faults.values())))
     return values
 
 
@@ -129,25 +148,30 @@ def read_with_gaps(lines: Lines, use: Sequence[int] = (0,)) -> tuple[NDArray[np.
     for number, cells in lines.cells():
         row = []
         for column in use:
-            fault = _fault(cells[column])
+            cell = cells[column]
+            fault = _fault(cell, lines.decimal)
             if fault:
-                faults.setdefault(column, f"{lines.place}:{number}: {fault}")
-            row.append(np.nan if fault else float(cells[column]))
+                where = f" (column {column + 1})" if lines.columns > 1 else ""
+                faults.setdefault(column, f"{lines.place}:{number}: {fault}{where}")
+            row.append(np.nan if fault else float(cell.replace(lines.decimal, ".")))
         rows.append(row)
     return np.array(rows, dtype=np.float64), faults
 
 
-def _fault(cell: str) -> str:
+def _fault(cell: str, decimal: str) -> str:
     """Say what is wrong with one sample; empty when nothing is."""
     if cell in {"", "NOVALUE"}:
-        return "a sample is missing (NOVALUE); a channel with gaps cannot be graded"
+        return "a sample is missing (NOVALUE); a channel with gaps cannot be graded: leave the channel out"
+    shown = f"`{cell[:40]}`"
+    if decimal == "," and "." in cell:
+        return f"{shown} has a point in a table with decimal commas: thousands? Write it without points"
     try:
-        value = float(cell)
+        value = float(cell.replace(decimal, "."))
     except ValueError:
         if "," in cell and cell.replace(",", ".", 1).replace(".", "", 1).lstrip("+-").isdigit():
             hint = "ISO-MME wants a point; for CSV a mapping file says `decimal: ','`"
-            return f"`{cell[:40]}` has a decimal comma; {hint}"
-        return f"`{cell[:40]}` is not a number"
+            return f"{shown} has a decimal comma; {hint}"
+        return f"{shown} is not a number; correct it, or leave the channel out"
     if not np.isfinite(value) or "_" in cell:
-        return f"`{cell[:40]}` is not a finite number; a channel with gaps cannot be graded"
+        return f"{shown} is not a finite number; a channel with gaps cannot be graded: leave the channel out"
     return ""

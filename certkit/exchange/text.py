@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import codecs
+import re
 
 from certkit.errors import DataError
 from certkit.plain_text import odd_character
@@ -33,7 +34,9 @@ def decode(data: bytes, place: str, encoding: str | None = None) -> tuple[str, s
     found = encoding or next((name for mark, name in _MARKS if data.startswith(mark)), None)
     if found is None and b"\0" in data:
         line = data[: data.index(b"\0")].count(b"\n") + 1
-        raise DataError(f"{place}:{line}: a zero byte; this is no text file")
+        raise DataError(
+            f"{place}:{line}: a zero byte; this is no text file; name the table that was exported from it"
+        )
     if found is None:
         found = "ascii" if data.isascii() else "utf-8"
     try:
@@ -41,9 +44,12 @@ def decode(data: bytes, place: str, encoding: str | None = None) -> tuple[str, s
     except UnicodeDecodeError as error:
         if found != "utf-8" or encoding:
             line = data[: error.start].count(b"\n") + 1
-            raise DataError(f"{place}:{line}: not {found} text, as the start of the file says") from error
+            raise DataError(
+                f"{place}:{line}: not {found} text, as the start of the file says; save it again "
+                "in one encoding"
+            ) from error
         text, found = _windows(data, place), "cp1252"
-    text = text.replace("\r\n", "\n").replace("\r", "\n").removesuffix("\x1a")  # DOS ends a file so
+    text = _with_plain_line_ends(text).removesuffix("\x1a")  # DOS ends a file so
     odd = odd_character(text)
     if odd is not None:
         line = text[: text.index(odd)].count("\n") + 1
@@ -51,6 +57,13 @@ def decode(data: bytes, place: str, encoding: str | None = None) -> tuple[str, s
             f"{place}:{line}: the control character U+{ord(odd):04X}, which hides columns; remove it"
         )
     return text, found
+
+
+def _with_plain_line_ends(text: str) -> str:
+    r"""Bring line ends to `\\n`: of DOS, of old Macs, and `\\r\\r\\n` of files translated twice."""
+    if "\r" not in text:
+        return text
+    return re.sub(r"\r+\n", "\n", text).replace("\r", "\n")
 
 
 def _windows(data: bytes, place: str) -> str:
@@ -69,4 +82,6 @@ def _windows(data: bytes, place: str) -> str:
         return data.decode("cp1252")
     except UnicodeDecodeError as error:
         line_number = data[: error.start].count(b"\n") + 1
-        raise DataError(f"{place}:{line_number}: neither UTF-8 nor Windows-1252 text") from error
+        raise DataError(
+            f"{place}:{line_number}: neither UTF-8 nor Windows-1252 text; save it as UTF-8"
+        ) from error

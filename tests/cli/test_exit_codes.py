@@ -89,3 +89,17 @@ def test_a_procedure_that_cannot_run_does_not_take_the_others_with_it(
     done = certkit("run", "-p", "static-tibia", "-p", "no-such", "--format", "junit")
     assert done.returncode == 2
     assert (tmp_path / "runs" / "static-tibia" / "result.json").exists()
+
+
+def test_a_damaged_recording_is_told_and_does_not_stop_the_others(
+    certkit: Command, table: Path, tmp_path: Path
+) -> None:
+    text = table.read_text(encoding="utf-8")
+    for name in ("first", "last"):
+        (tmp_path / f"{name}.csv").write_text(text, encoding="utf-8")
+    (tmp_path / "torn.csv").write_text(text[:-20], encoding="utf-8")
+    done = certkit("grade", "-p", "pendulum", "first.csv", "torn.csv", "last.csv", "--format", "junit")
+    assert done.returncode == 2
+    assert "torn.csv:" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert {path.parent.name for path in tmp_path.glob("runs/*/result.json")} == {"first", "last"}

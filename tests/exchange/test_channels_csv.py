@@ -81,7 +81,7 @@ def test_a_table_that_does_not_say_its_kind_is_taken_as_measured_and_says_so(tmp
 def test_a_kind_that_is_none_is_refused_with_its_line(tmp_path: Path):
     path = tmp_path / "leg.csv"
     path.write_text(csv_text(recording()).replace("simulated", "dreamt"), encoding="utf-8")
-    with pytest.raises(DataError, match=r"leg\.csv:1: the kind `dreamt`"):
+    with pytest.raises(DataError, match=r"leg\.csv:1: no kind of test is `dreamt`"):
         read_csv(path)
 
 

@@ -93,7 +93,7 @@ def test_a_failed_channel_is_not_used_and_said_so(mme: Path):
     channel.write_text(channel.read_text().replace(":ok", ":channel failed"))
     read = read_recording(mme).recording
     assert "T1" not in read
-    assert [note.code for note in read.notes] == ["data-not-usable"]
+    assert [note.code for note in read.notes] == ["status-not-good"]
 
 
 def test_of_a_filtered_and_an_unfiltered_channel_the_unfiltered_is_used(recording: Recording, tmp_path: Path):

@@ -139,7 +139,8 @@ REASONS = MappingProxyType(
         "left-out": "{fault}; assumed: {channel} was not recorded",
         "questionable-data": "{place}: data status is `questionable data`",
         "recorded-twice": "{channel} was recorded twice; {code} is used",
-        "data-not-usable": "{channel} is not used: the data of {file} are not usable",
+        "status-not-good": "{channel} is not used: {place}: data status is `{status}`",
+        "prefiltered": "{place}: was filtered by the amplifier with {filter}; counts as not filtered",
         "codes-not-used": "not used: {codes:list}",
         "kind-not-said": "{file} does not say whether it was simulated; taken as measured",
         # Error tables and comparisons.
