@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from certkit.definitions.loading.validation import read_document
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.errors import UsageError
-from certkit.logbooks import Logbook, add, overview
+from certkit.logbooks import Logbook, add, overview, shipped_rules
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -38,7 +38,8 @@ def logbook(
     serials : sequence of str
         Legforms; all when none is named.
     rules : str or Path, optional
-        File with own rules of validity; the shipped ones when missing.
+        File with own rules of validity, or the name of shipped ones (`r127`, `euro-ncap-v7`); those of UN
+        R127 when missing.
     day : str or date, optional
         The day that validity is asked for: `2026-03-31` or `today`; the day of the last test when missing.
 
@@ -53,10 +54,17 @@ def logbook(
     paths = [tests] if isinstance(tests, (str, Path)) else tests
     if paths:
         add(book, [Path(path) for path in paths])
-    own = read_document(Path(rules), LogbookRules) if rules is not None else None
+    own = None if rules is None else _rules(Path(rules))
     asked = _day(day) if isinstance(day, str) else day
     exact = own is not None and own.serial_numbers == "exact"
     return [overview(book, serial, rules=own, day=asked) for serial in serials or book.serials(exact=exact)]
+
+
+def _rules(named: Path) -> LogbookRules:
+    """Read own rules from a file, else the shipped ones of that name."""
+    if named.suffix or named.exists():
+        return read_document(named, LogbookRules)
+    return shipped_rules(str(named))
 
 
 def _day(text: str) -> date:

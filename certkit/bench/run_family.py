@@ -48,7 +48,7 @@ def run_family(
     for member in kin.members:
         if step is not None:
             step(member.id)
-        own = {f"legform.{path}": value for path, value in member.values.items()}
+        own = member.overrides(nominal.procedure)
         results.append(run(procedure, library=library, overrides={**own, **(overrides or {})}, refine=False))
     return worded(with_spread(results))
 

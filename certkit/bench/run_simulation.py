@@ -11,9 +11,9 @@ from certkit.grading import (
     criterion_values,
     evaluate,
     grade_quality,
+    largest_step_change,
     measure_all,
     numerical_uncertainties,
-    step_change_percent,
 )
 from certkit.reasons import Reason
 from certkit.reporting.language import worded
@@ -24,19 +24,19 @@ if TYPE_CHECKING:
     from certkit.definitions.loading.library import Library
     from certkit.definitions.loading.overrides import Overrides
     from certkit.documents.result import Result
-    from certkit.grading import Measurements
+    from certkit.grading import Measurements, StepChange
     from certkit.mechanics import Simulation
 
-SMALLEST = {"N·m": 4.0, "mm": 0.3, "N": 40.0}
-"""One percent of the channels' amplitude classes (400 N·m, 30 mm, 4 kN). A slack ligament's peak of a tenth
-of a millimetre is nothing: its change is taken relative to this."""
+SMALLEST = {"N·m": 20.0, "mm": 1.5, "N": 200.0}
+"""Five percent of the channels' amplitude classes (400 N·m, 30 mm, 4 kN): a change of a smaller peak is taken
+relative to this. No corridor begins below 3.5 mm or 90 N·m, so such a peak decides nothing."""
 
 
 @dataclass(frozen=True)
 class Refinement:
     """What finer runs say of the reported one: largest change, and numerical uncertainty by criterion."""
 
-    step_change_percent: float
+    step_change: StepChange
     uncertainties: dict[str, float]
 
 
@@ -78,7 +78,7 @@ def run_setup(setup: Setup, *, refine: bool = True) -> Result:
     refinement = _refine(setup, simulation, measured) if refine else None
     quality = grade_quality(
         simulation.quality,
-        step_change_percent=refinement.step_change_percent if refinement else None,
+        step_change=refinement.step_change if refinement else None,
         solver_seconds=simulation.solver_seconds,
     )
     simulated = SimulatedTerms(
@@ -119,7 +119,19 @@ def _refine(setup: Setup, reported: Simulation, measured: Measurements) -> Refin
         for name, before in values.items()
         if name in by_step and before is not None and (after := iterated.get(name)) is not None
     }
-    return Refinement(step_change_percent(values, halved, _floors(setup)), uncertainties)
+    decisive = _decisive(setup)
+    change = largest_step_change(
+        {name: value for name, value in values.items() if name in decisive}, halved, _floors(setup)
+    )
+    return Refinement(change, uncertainties)
+
+
+def _decisive(setup: Setup) -> set[str]:
+    """Return the criteria that the result rests on: graded ones, else those compared, else all."""
+    criteria = setup.procedure.criteria
+    graded = {criterion.id for criterion in criteria if criterion.corridor is not None}
+    compared = set(setup.reference.values) if setup.reference is not None else set()
+    return graded or compared or {criterion.id for criterion in criteria}
 
 
 def _floors(setup: Setup) -> dict[str, float]:

@@ -47,7 +47,10 @@ def show(
     *,
     logbook: Folder = DEFAULT,
     rules: Annotated[
-        Path | None, typer.Option("--rules", metavar="RULES.yaml", help="Own rules of validity.")
+        Path | None,
+        typer.Option(
+            "--rules", metavar="RULES", help="Own rules' file, or shipped ones: r127 (if none), euro-ncap-v7."
+        ),
     ] = None,
     on: Annotated[
         str | None,

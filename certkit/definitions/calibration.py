@@ -115,8 +115,12 @@ class Search(Document):
     seed: Annotated[int, Field(ge=0)] = 1
     start: Annotated[
         Literal["definitions", "anywhere"],
-        Field(description="`definitions` begins around the values the legform has now."),
+        Field(description="`definitions` begins at the values now; `anywhere` also takes the best basin."),
     ] = "definitions"
+    basins: Annotated[
+        int,
+        Field(ge=0, le=1000, description="Further searches, each from the best of places spread evenly."),
+    ] = 0
     population: Annotated[int, Field(ge=4, le=10_000)] = 24
     generations: Annotated[int, Field(ge=0, le=100_000, description="Of the global search.")] = 100
     pull: Annotated[
@@ -124,17 +128,24 @@ class Search(Document):
         Field(ge=0, le=1, description="Of every parameter without a prior to the middle of its bounds."),
     ] = 0.2
     steps: Annotated[int, Field(ge=0, le=1000, description="Of the least squares after it, at most.")] = 30
+    leave_one_out: Annotated[
+        bool, Field(description="Also fit without each value in turn, to see how well the others predict it.")
+    ] = False
 
 
 class FamilySearch(Document):
-    """How legs that pass as well are looked for."""
+    """How legs that pass as well are looked for: one walk a member, each from elsewhere to elsewhere."""
 
-    vary: Annotated[
-        list[str] | None, Field(description="Names of the parameters that differ; all of the legform's.")
+    seed: Annotated[int, Field(ge=0)] = 100
+    starts: Annotated[
+        str | None,
+        Field(description="A family whose legs the walks also begin at, such as what other searches found."),
     ] = None
-    walkers: Annotated[int, Field(ge=4, le=10_000)] = 40
-    steps: Annotated[int, Field(ge=1, le=1_000_000)] = 100
-    seed: Annotated[int, Field(ge=0)] = 1
+    within: Annotated[
+        float,
+        Field(ge=0, lt=1, description="Half-widths of the corridors within which each member has its aims."),
+    ] = 0.75
+    steps: Annotated[int, Field(ge=1, le=1000, description="Of each walk, at most.")] = 15
 
 
 class CalibrationTask(Document):

@@ -107,7 +107,9 @@ class ChannelTable:
     kinds : mapping of str to ChannelKind
         By short name, in the order in which channels are listed.
     bone : tuple of str
-        Bending moments that end the assessment interval and show the noise in free flight.
+        Bending moments that end the assessment interval.
+    flight : tuple of str
+        Bending moments that show the noise in free flight.
     contact : tuple of str
         Channels that show first contact, the quickest first.
     """
@@ -117,6 +119,7 @@ class ChannelTable:
     fine_location: str
     kinds: Mapping[str, ChannelKind]
     bone: tuple[str, ...] = ()
+    flight: tuple[str, ...] = ()
     contact: tuple[str, ...] = ()
 
     def find(self, words: str) -> ChannelKind | None:

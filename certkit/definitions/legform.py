@@ -106,6 +106,7 @@ class Legform(Section):
             fine_location=self.fine_location,
             kinds=kinds | {kind.name: kind for kind in RIG_CHANNELS},
             bone=tuple(known.bone_channels),
+            flight=tuple(known.flight_channels or known.bone_channels),
             contact=tuple(known.contact_channels),
         )
 

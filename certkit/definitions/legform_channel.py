@@ -80,6 +80,12 @@ class Evaluation(Sourced):
         list[str],
         Field(description="Bending moments whose last zero crossing ends the assessment interval."),
     ] = []
+    flight_channels: Annotated[
+        list[str],
+        Field(
+            description="Bending moments whose noise in free flight is looked at; all bones' when missing."
+        ),
+    ] = []
     contact_channels: Annotated[
         list[str], Field(description="Channels that show first contact, the quickest first.")
     ] = []

@@ -21,6 +21,17 @@ class Member(Document):
         dict[str, str],
         Field(min_length=1, description="Quantity by its path in the legform: `parts.femur.length`."),
     ]
+    rigs: Annotated[
+        dict[str, dict[str, str]],
+        Field(
+            description="By procedure, what its rig has different: `rig.hinge.offset`, which no text gives."
+        ),
+    ] = {}
+
+    def overrides(self, procedure: str) -> dict[str, str]:
+        """Return what the member changes in a procedure: value by path."""
+        own = {f"legform.{path}": value for path, value in self.values.items()}
+        return own | self.rigs.get(procedure, {})
 
 
 class Family(Section):

@@ -116,7 +116,18 @@ class Flesh(Section):
     damping_ratio: Ratio
     tension: Annotated[Force, Field(description="Tensile stiffness EA between neighbours; 0 leaves it out.")]
     compression: Annotated[FoundationStiffness, Field(description="Initial, per unit length.")]
-    thickness: Annotated[Length, Field(description="Depth over which the compression stiffens.")]
+    thickness: Annotated[Length, Field(description="Between bone and surface: it ends at the bone.")]
+    compacted_at: Annotated[
+        Length | None,
+        Field(description="Depth at which it is compacted; 90 % of its thickness when missing."),
+    ] = None
+    wall: Annotated[
+        FoundationStiffness | None,
+        Field(description="Of the bone behind it, per unit length; 2000 MN/m² when missing."),
+    ] = None
+    resilience: Annotated[
+        Ratio | None, Field(description="Share of its work that it gives back; 50 % when missing.")
+    ] = None
     face: Annotated[
         Length | None,
         Field(description="Distance of its bone side from the leg's axis; half the parts' depth if missing."),

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import AfterValidator, Field
+from pydantic import AfterValidator, Field, model_validator
 
 from certkit.definitions.base import Document, Sourced
 from certkit.definitions.units import parse_quantity
@@ -56,26 +56,69 @@ class Count(Sourced):
         return {"at most": str(self.at_most)}
 
 
+class TestSequence(Sourced):
+    """Certification tests that follow each other in turn, with at most so many tests between any two.
+
+    The first of the turn opens a series. After the last one the turn starts again.
+    """
+
+    rule: Literal["sequence"]
+    title: str
+    certified_by: Annotated[Procedures, Field(description="In their order; one may stand there twice.")]
+    counts: Annotated[Procedures, Field(description="Procedures whose tests are counted.")]
+    at_most: Annotated[int, Field(ge=1, le=1_000_000)]
+
+    def lines(self) -> dict[str, str]:
+        """Return its number as people read it."""
+        return {"at most": str(self.at_most)}
+
+
 class Overload(Sourced):
-    """A reading so far beyond its limit ends the certification at once."""
+    """A reading so far beyond its limit, or beyond its amplitude class, ends the certification at once."""
 
     rule: Literal["overload"]
     title: str
     certified_by: Procedures
     counts: Annotated[Procedures, Field(description="Procedures whose readings are looked at.")]
-    beyond: Annotated[str, _readable("ratio"), Field(description="Share of the upper limit: `10 %`.")]
+    beyond: Annotated[
+        str | None, Field(description="Share of the upper limit: `10 %`. Either this or `classes`.")
+    ] = None
+    classes: Annotated[list[str], Field(description="Channel amplitude classes: `[400 N·m, 30 mm]`.")] = []
 
-    @property
-    def share(self) -> float:
-        """The share as a number."""
-        return parse_quantity(self.beyond, "ratio")
+    @model_validator(mode="after")
+    def _has_a_bound(self) -> Self:
+        if (self.beyond is None) == (not self.classes):
+            raise ValueError("an overload is a reading `beyond` a share of its limit, or of one of `classes`")
+        if self.beyond is not None and parse_quantity(self.beyond, "ratio") <= 0:
+            raise ValueError(f"`{self.beyond}` has to be greater than zero")
+        self._by_unit()
+        return self
+
+    def _by_unit(self) -> dict[str, float]:
+        """Return the classes by their unit."""
+        found = {}
+        for text in self.classes:
+            number, _, unit = text.strip().partition(" ")
+            try:
+                found[unit] = float(number)
+            except ValueError:
+                unit = ""
+            if not unit:
+                raise ValueError(f"`{text}` is no amplitude class; write a number and its unit: `400 N·m`")
+        return found
+
+    def bound(self, upper: float | None, unit: str) -> float | None:
+        """Return the reading that is one too many, in its unit; None where nothing is said."""
+        if self.beyond is not None:
+            return None if upper is None or upper <= 0 else upper * (1 + parse_quantity(self.beyond, "ratio"))
+        return self._by_unit().get(unit)
 
     def lines(self) -> dict[str, str]:
-        """Return its number as people read it."""
-        return {"beyond": self.beyond}
+        """Return its numbers as people read them."""
+        return {"beyond": self.beyond} if self.beyond is not None else {"classes": ", ".join(self.classes)}
 
 
-Rule = Annotated[Interval | Count | Overload, Field(discriminator="rule")]
+Rule = Annotated[Interval | Count | TestSequence | Overload, Field(discriminator="rule")]
 
 
 class TrendRule(Document):

@@ -16,9 +16,10 @@ from pydantic_core import core_schema
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.units import UNITS, parse_quantity
 
-Confidence = Literal["verified", "recalled", "derived", "calibrated", "estimated"]
-"""`verified`: read in the named text; `recalled`: named text not read; `derived`: follows by arithmetic;
-`calibrated`: fitted, the fit is named; `estimated`: a judgement."""
+Confidence = Literal["verified", "secondary", "recalled", "derived", "calibrated", "estimated"]
+"""`verified`: read in the named text, or in a faithful copy of it that is named; `secondary`: read in an
+account of that text; `recalled`: named text not read; `derived`: follows by arithmetic; `calibrated`: fitted,
+the fit is named; `estimated`: a judgement."""
 
 CONFIDENCES: tuple[str, ...] = get_args(Confidence)
 

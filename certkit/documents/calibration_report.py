@@ -24,6 +24,9 @@ class FittedValue(Part):
     after: FigureOrWord | None
     distance_before: Figure
     distance_after: Figure
+    left_out: Annotated[FigureOrWord | None, Field(description="After a fit to all values but this one.")] = (
+        None
+    )
 
 
 class Following(Part):
@@ -82,6 +85,31 @@ class OpenDirection(Part):
     parts: Annotated[dict[str, Figure], Field(description="Each parameter's part of the direction.")]
 
 
+class ReachedBasin(Part):
+    """A place that a search came to."""
+
+    start: Annotated[str, Field(description="The seed of the places it began from.")]
+    rms: Annotated[Figure, Field(description="Of all values, in what counts as one.")]
+    squares: Annotated[Figure, Field(description="Sum of squares, pulls to priors and middles included.")]
+    distance: Annotated[
+        Figure, Field(description="From the fitted leg: root mean square of the parameters' shares.")
+    ]
+
+
+class FamilyFigures(Part):
+    """How much of what the bounds allow the family covers."""
+
+    members: int
+    coverage: Annotated[Figure, Field(description="Range of each parameter over its bounds, averaged.")]
+    evenness: Annotated[
+        Figure, Field(description="Standard deviation over that of an even spread, averaged.")
+    ]
+    dimensions: Annotated[Figure, Field(description="Directions in which members differ.")]
+    distance: Annotated[
+        Figure, Field(description="Of a member from the nearest other, over that of an even spread.")
+    ]
+
+
 class CalibrationReport(OutputDocument):
     """What a calibration came to."""
 
@@ -102,4 +130,6 @@ class CalibrationReport(OutputDocument):
     parameters: list[FittedParameter]
     correlations: list[StrongCorrelation]
     open_directions: list[OpenDirection]
+    basins: Annotated[list[ReachedBasin], Field(default_factory=list, description="Of other searches.")]
+    family: FamilyFigures | None = None
     certkit: str = ""

@@ -24,7 +24,7 @@ class TestLine(Part):
 class Validity(Part):
     """What one rule says."""
 
-    rule: Literal["interval", "count", "overload"]
+    rule: Literal["interval", "count", "sequence", "overload"]
     title: str
     state: Literal["valid", "due", "revoked", "never certified"]
     why: str

@@ -155,6 +155,7 @@ class QualityCheck(Part):
     limit: Figure
     unit: str
     verdict: Verdict
+    remedy: Annotated[Reason | None, Field(description="Where it is exceeded: what to do about it.")] = None
 
 
 class Quality(Part):

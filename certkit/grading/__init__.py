@@ -8,7 +8,7 @@ from certkit.grading.grading_terms import NO_LABORATORY, GradingTerms, Laborator
 from certkit.grading.measure_all import Measurements, measure_all
 from certkit.grading.overall_verdict import overall
 from certkit.grading.quality_gate import grade_quality
-from certkit.grading.refinement import numerical_uncertainties, step_change_percent
+from certkit.grading.refinement import StepChange, largest_step_change, numerical_uncertainties
 
 __all__ = [
     "NO_LABORATORY",
@@ -18,15 +18,16 @@ __all__ = [
     "LaboratoryTerms",
     "Measurements",
     "SimulatedTerms",
+    "StepChange",
     "criterion_values",
     "evaluate",
     "exit_code",
     "grade_criteria",
     "grade_quality",
+    "largest_step_change",
     "measure_all",
     "numerical_uncertainties",
     "overall",
-    "step_change_percent",
     "with_spread",
     "worst",
 ]

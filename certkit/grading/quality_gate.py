@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from certkit.documents.result import Quality, QualityCheck
 from certkit.reasons import Reason
+
+if TYPE_CHECKING:
+    from certkit.grading.refinement import StepChange
 
 ENERGY_LIMIT = 0.5
 """Percent of the energy turned over."""
@@ -16,6 +19,8 @@ STEP_CHANGE_LIMIT = 0.5
 """Percent by which halving the time step may change a criterion."""
 PENETRATION_LIMIT = 2.0
 """Millimetres that rigid bodies may overlap; contacts are springs, so they overlap a little under load."""
+FLESH_DEPTH_LIMIT = 100.0
+"""Percent of its thickness by which flesh may be compressed: there it ends, at the bone."""
 
 
 class Figures(Protocol):
@@ -34,6 +39,10 @@ class Figures(Protocol):
         """Deepest overlap of bodies in contact."""
 
     @property
+    def flesh_depth_percent(self) -> float:
+        """Largest depth of the flesh over its thickness; 0 where no flesh is compressed."""
+
+    @property
     def steps(self) -> int:
         """Number of time steps."""
 
@@ -45,7 +54,7 @@ class Figures(Protocol):
 def grade_quality(
     figures: Figures,
     *,
-    step_change_percent: float | None = None,
+    step_change: StepChange | None = None,
     solver_seconds: float | None = None,
     penetration_limit: float = PENETRATION_LIMIT,
 ) -> Quality:
@@ -54,7 +63,7 @@ def grade_quality(
     Parameters
     ----------
     figures : Figures
-    step_change_percent : float, optional
+    step_change : StepChange, optional
         Largest change of a criterion when the step is halved (`certkit.grading.refinement`); None when
         nobody looked.
     solver_seconds : float, optional
@@ -67,21 +76,27 @@ def grade_quality(
     Quality
         Its verdict is `pass` or `error`. A figure that is not a number is beyond every limit.
     """
-    rows = [
-        ("energy-balance", figures.energy_error_percent, ENERGY_LIMIT, "%"),
-        ("joint-gap", figures.joint_gap_mm, JOINT_GAP_LIMIT, "mm"),
-        ("penetration", figures.penetration_mm, penetration_limit, "mm"),
+    step = figures.time_step / 2
+    smaller = Reason.of("take-a-smaller-step", step=step)
+    checks = [
+        _check("energy-balance", figures.energy_error_percent, ENERGY_LIMIT, "%", smaller),
+        _check("joint-gap", figures.joint_gap_mm, JOINT_GAP_LIMIT, "mm", smaller),
+        _check(
+            "penetration", figures.penetration_mm, penetration_limit, "mm", Reason.of("stiffen-the-contacts")
+        ),
     ]
-    if step_change_percent is not None:
-        rows.append(("step-change", step_change_percent, STEP_CHANGE_LIMIT, "%"))
-    checks = [_check(*row) for row in rows]
-    change = None if step_change_percent is None else checks[-1].value
+    if figures.flesh_depth_percent:
+        depth = figures.flesh_depth_percent
+        checks.append(_check("flesh-depth", depth, FLESH_DEPTH_LIMIT, "%", Reason.of("stiffen-the-wall")))
+    if step_change is not None:
+        most = Reason.of("criterion-changes-most", criterion=step_change.criterion, step=step)
+        checks.append(_check("step-change", step_change.percent, STEP_CHANGE_LIMIT, "%", most))
     return Quality(
         verdict="pass" if all(check.verdict == "pass" for check in checks) else "error",
         energy_error_percent=checks[0].value,
         joint_gap_mm=checks[1].value,
         penetration_mm=checks[2].value,
-        step_change_percent=change,
+        step_change_percent=None if step_change is None else checks[-1].value,
         steps=figures.steps,
         time_step=figures.time_step,
         solver_seconds=solver_seconds,
@@ -89,13 +104,15 @@ def grade_quality(
     )
 
 
-def _check(code: str, value: float, limit: float, unit: str) -> QualityCheck:
+def _check(code: str, value: float, limit: float, unit: str, remedy: Reason) -> QualityCheck:
     # The document holds no NaN; what is not a number is written down as far out of its limit as can be.
     shown = value if math.isfinite(value) else 1e300
+    kept = shown <= limit
     return QualityCheck(
         coded_title=Reason.of(code),
         value=shown,
         limit=limit,
         unit=unit,
-        verdict="pass" if shown <= limit else "error",
+        verdict="pass" if kept else "error",
+        remedy=None if kept else remedy,
     )

@@ -7,6 +7,7 @@ there is a third, h/4.
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.errors import UsageError
@@ -85,34 +86,48 @@ def numerical_uncertainties(runs: Sequence[Mapping[str, float | None]]) -> dict[
     return found
 
 
-def step_change_percent(
+@dataclass(frozen=True)
+class StepChange:
+    """The criterion that a finer run changes most.
+
+    Parameters
+    ----------
+    percent : float
+        Of its value, or of its floor where that is larger; infinite where one run did not measure it.
+    criterion : str
+        Its id; empty where nothing changed.
+    """
+
+    percent: float
+    criterion: str
+
+
+def largest_step_change(
     reported: Mapping[str, float | None],
     refined: Mapping[str, float | None],
     floor: Mapping[str, float] | None = None,
-) -> float:
-    """Return the largest change of a criterion from one run to a finer one, in percent.
+) -> StepChange:
+    """Return the largest change of a criterion from one run to a finer one.
 
     Parameters
     ----------
     reported, refined : mapping of str to float or None
-        Criterion values by id.
+        Values by id, of the criteria that the verdict rests on.
     floor : mapping of str to float, optional
         Smallest size that a change is taken relative to, by id: a peak of nearly zero has no meaningful
         percentage.
-
-    Returns
-    -------
-    float
-        Infinite when a criterion was measured in one run only; 0 when there is none.
     """
-    largest = 0.0
+    largest = StepChange(0.0, "")
     for name, value in reported.items():
         other = refined.get(name)
         if value is None and other is None:
             continue
         if value is None or other is None:
-            return math.inf
+            return StepChange(math.inf, name)
         size = max(abs(value), (floor or {}).get(name, 0.0))
-        if value != other:
-            largest = max(largest, abs(other - value) / size * 100.0 if size > 0 else math.inf)
+        if value == other:
+            continue
+        percent = abs(other - value) / size * 100.0 if size > 0 else math.inf
+        if not percent <= largest.percent:
+            largest = StepChange(percent, name)
     return largest

@@ -72,7 +72,12 @@ def _reason(row: PreconditionResult) -> Reason:
 
 def _untrusted(check: QualityCheck) -> Reason:
     title = check.coded_title or Reason.words(check.title)
-    return Reason.of("run-untrusted", check=title, value=check.value, limit=check.limit, unit=check.unit)
+    value, limit, unit = check.value, check.limit, check.unit
+    if check.remedy is None:
+        return Reason.of("run-untrusted", check=title, value=value, limit=limit, unit=unit)
+    return Reason.of(
+        "run-untrusted-remedy", check=title, value=value, limit=limit, unit=unit, remedy=check.remedy
+    )
 
 
 def _confidence(graded: Iterable[CriterionResult]) -> list[Reason]:

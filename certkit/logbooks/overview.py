@@ -23,11 +23,32 @@ if TYPE_CHECKING:
 _STATES = ("never certified", "revoked", "due", "valid")
 
 
+DEFAULT = "r127"
+"""Name of the rules that hold where none are named."""
+
+
 @cache
-def shipped_rules() -> LogbookRules:
-    """Read the rules that certkit ships."""
-    source = files("certkit.logbooks") / "flex-pli.yaml"
+def shipped_rules(name: str = DEFAULT) -> LogbookRules:
+    """Read rules that certkit ships.
+
+    Raises
+    ------
+    UsageError
+        When none have this name.
+    """
+    names = shipped_names()
+    if name not in names:
+        raise UsageError(f"`{name}` are no rules of a logbook: neither a file nor one of {', '.join(names)}")
+    source = files("certkit.logbooks") / f"{name}.yaml"
     return validate(read_tree(source.read_bytes(), source.name), LogbookRules)
+
+
+def shipped_names() -> list[str]:
+    """Return the names of all rules that certkit ships."""
+    folder = files("certkit.logbooks")
+    return sorted(
+        entry.name.removesuffix(".yaml") for entry in folder.iterdir() if entry.name.endswith(".yaml")
+    )
 
 
 def overview(

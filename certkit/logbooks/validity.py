@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import timedelta
 from typing import TYPE_CHECKING, Any
 
-from certkit.definitions.logbook_rules import Count, Interval
+from certkit.definitions.logbook_rules import Count, Interval, TestSequence
 from certkit.documents.logbook_overview import Validity
 from certkit.errors import DataError
 
@@ -27,7 +27,7 @@ def validity(rule: Rule, entries: Sequence[LogbookEntry], day: date) -> Validity
 
     Parameters
     ----------
-    rule : Interval, Count or Overload
+    rule : Interval, Count, TestSequence or Overload
         The rule.
     entries : sequence of Entry
         One legform's tests, in order.
@@ -36,7 +36,9 @@ def validity(rule: Rule, entries: Sequence[LogbookEntry], day: date) -> Validity
     """
     if isinstance(rule, Interval):
         return _interval(rule, entries, day)
-    return _count(rule, entries) if isinstance(rule, Count) else _overload(rule, entries)
+    if isinstance(rule, Count):
+        return _count(rule, entries)
+    return _sequence(rule, entries) if isinstance(rule, TestSequence) else _overload(rule, entries)
 
 
 def _last_passes(names: Sequence[str], entries: Sequence[LogbookEntry]) -> dict[str, int]:
@@ -97,6 +99,37 @@ def _count(rule: Count, entries: Sequence[LogbookEntry]) -> Validity:
     return _said(rule, state="valid" if left else "due", why=why, left=left, used=used)
 
 
+def _sequence(rule: TestSequence, entries: Sequence[LogbookEntry]) -> Validity:
+    """Follow the turn: where it stands, and how many tests have gone by since its last test."""
+    turn, counted = rule.certified_by, " and ".join(rule.counts)
+    place = used = 0
+    last: LogbookEntry | None = None
+    broken = ""
+    for entry in entries:
+        if entry.procedure in rule.counts:
+            used += 1
+            if place and used > rule.at_most:
+                broken = f"{used} {counted} tests without a certification by {entry.day}"
+                place = 0
+        elif entry.procedure in turn:
+            if entry.verdict != PASSED:
+                place, broken = 0, f"{entry.procedure} did not pass on {entry.day}"
+            elif entry.procedure == turn[place % len(turn)]:
+                place, used, last, broken = place + 1, 0, entry, ""
+            elif entry.procedure == turn[0]:  # a new series is always opened by it
+                place, used, last, broken = 1, 0, entry, ""
+    if broken:
+        return _said(rule, state="due", why=f"{broken}; the series starts again with {turn[0]}", used=used)
+    if last is None:
+        return _said(rule, state="never certified", why=f"{turn[0]} never passed")
+    left = max(0, rule.at_most - used)
+    why = (
+        f"{used} of {rule.at_most} {counted} tests since {last.procedure} passed on {last.day}; "
+        f"{turn[place % len(turn)]} is next"
+    )
+    return _said(rule, state="valid" if left else "due", why=why, left=left, used=used)
+
+
 def _overload(rule: Overload, entries: Sequence[LogbookEntry]) -> Validity:
     passes = _last_passes(rule.certified_by, entries)
     lacking = _not_certified(rule, passes, entries)
@@ -106,13 +139,16 @@ def _overload(rule: Overload, entries: Sequence[LogbookEntry]) -> Validity:
         if entry.procedure not in rule.counts:
             continue
         for reading in entry.readings:
-            if reading.value is None or reading.upper is None or reading.upper <= 0:
+            bound = rule.bound(reading.upper, reading.unit)
+            if reading.value is None or bound is None or reading.value <= bound:
                 continue
-            over = reading.value / reading.upper - 1
-            if over > rule.share:
-                why = (
-                    f"{reading.criterion} read {reading.value:.4g} {reading.unit} on {entry.day} "
-                    f"({entry.procedure}), {over:.0%} over {reading.upper:.4g} {reading.unit}"
-                )
-                return _said(rule, state="due", why=why, due=entry.day.isoformat())
-    return _said(rule, state="valid", why=f"no reading more than {rule.beyond} over its limit since then")
+            upper = bound if rule.beyond is None or reading.upper is None else reading.upper
+            why = (
+                f"{reading.criterion} read {reading.value:.4g} {reading.unit} on {entry.day} "
+                f"({entry.procedure}), {reading.value / upper - 1:.0%} over {upper:.4g} {reading.unit}"
+            )
+            return _said(rule, state="due", why=why, due=entry.day.isoformat())
+    which = (
+        f"no reading more than {rule.beyond} over its limit" if rule.beyond else "no reading over its class"
+    )
+    return _said(rule, state="valid", why=f"{which} since then")

@@ -80,6 +80,22 @@ def calibration_text(document: CalibrationReport) -> str:
         distances,
         "every graded criterion passes" if document.passes else "not every graded criterion passes",
     ]
+    left_out = [v for v in document.values if isinstance(v.left_out, float)]
+    if left_out:
+        errors = [100 * (float(v.left_out or 0.0) / v.aim - 1) for v in left_out]
+        rms = (sum(error**2 for error in errors) / len(errors)) ** 0.5
+        each = ", ".join(f"{v.name} {error:+.1f} %" for v, error in zip(left_out, errors, strict=True))
+        lines.append(f"each value predicted by the others: {rms:.1f} % rms ({each})")
+    if document.basins:
+        reached = ", ".join(f"{basin.rms:.3f}" for basin in document.basins)
+        lines.append(f"other searches came to rms {reached}")
+    if document.family is not None:
+        family = document.family
+        lines.append(
+            f"family of {family.members}: {family.coverage:.0%} of the bounds, evenness "
+            f"{family.evenness:.2f}, {family.dimensions:.1f} directions, nearest neighbours at "
+            f"{family.distance:.2f} of an even spread"
+        )
     open_ones = [parameter.name for parameter in document.parameters if not parameter.determined]
     if open_ones:
         lines.append(f"not determined by these tests: {', '.join(open_ones)}")

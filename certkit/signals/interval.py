@@ -1,6 +1,6 @@
 """The assessment interval of a vehicle test: from first contact to the end of the legform's first bending.
 
-UN GTR 9 and UN R127 (recalled, not read): the interval ends with the last zero crossing of all femur and
+UN R127, 02 series, 2.2: the interval ends with the last zero crossing of all femur and
 tibia moments, each after its first local maximum beyond a marginal 15 N·m, within their common
 zero-crossing phase; it is the same for all bones and ligaments. Where a bone moment never crosses zero, all
 bone curves are shifted down together until all of them cross; the shift serves to find the interval only.

@@ -1,4 +1,7 @@
-"""Free flight: bone moments stay within ±15 N·m during the last 30 ms before contact (UN GTR 9, recalled)."""
+"""Free flight: tibia moments stay within ±15 N·m during the last 30 ms before contact.
+
+UN R127, 02 series, annex 5, 1.13. The clause names the tibia only; which channels that are says the legform.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ FREE_FLIGHT_NOISE = "free-flight noise"
 
 @dataclass(frozen=True)
 class FreeFlightNoise:
-    """The largest bone moment in free flight.
+    """The largest tibia moment in free flight.
 
     Parameters
     ----------
@@ -33,12 +36,12 @@ class FreeFlightNoise:
 
 
 def free_flight(recording: Recording) -> FreeFlightNoise | None:
-    """Return the largest bone moment during the last 30 ms before time zero.
+    """Return the largest tibia moment during the last 30 ms before time zero.
 
     Returns
     -------
     FreeFlight or None
-        None when less than the whole window was recorded, or no bone moment that is finite there.
+        None when less than the whole window was recorded, or no tibia moment that is finite there.
     """
     time = recording.time
     if time.size < 2 or time[0] > -WINDOW + 1.5 * recording.interval:
@@ -46,7 +49,7 @@ def free_flight(recording: Recording) -> FreeFlightNoise | None:
     window = slice(int(np.searchsorted(time, -WINDOW)), int(np.searchsorted(time, 0.0)))
     largest = {
         name: float(np.abs(recording[name].values[window]).max())
-        for name in recording.table.bone
+        for name in recording.table.flight
         if name in recording
     }
     if not largest or not all(np.isfinite(v) for v in largest.values()):

@@ -77,6 +77,7 @@ class Trial:
             outputs[f"{name}/energy error %"] = quality.energy_error_percent
             outputs[f"{name}/joint gap mm"] = quality.joint_gap_mm
             outputs[f"{name}/penetration mm"] = quality.penetration_mm
+            outputs[f"{name}/flesh depth %"] = simulation.quality.flesh_depth_percent
         return outputs
 
     def prepared(self, procedure: str, point: Point) -> Setup:

@@ -60,13 +60,13 @@ def test_show_prints_the_file_itself_to_begin_from(certkit: Command, tmp_path: P
 
 def test_show_tells_each_numbers_origin_and_each_criterions_corridor(certkit: Command):
     shown = certkit("show", "pendulum").stdout
-    assert "T1\tmax of tibia moment 1, CFC 180\t235 N·m to 272 N·m\trecalled\tUN R127" in shown
-    assert "rig.added mass.mass\t5 kg\tverified\tseed paper" in shown
+    assert "T1\tmax of tibia moment 1, CFC 180\t235 N·m to 272 N·m\tverified\tUN R127" in shown
+    assert "rig.added mass.mass\t5 kg\tsecondary\tseed paper" in shown
 
 
 def test_show_finds_a_corridor_set_and_a_legform_by_name_alone(certkit: Command):
     assert "MCL-force\t" in certkit("show", "r127-static-knee").stdout
-    assert "parts.femur.mass\t2.46 kg\trecalled" in certkit("show", "flex-pli-gtr").stdout
+    assert "parts.femur.mass\t2.46 kg\tverified" in certkit("show", "flex-pli-gtr").stdout
 
 
 def test_show_lays_changes_open(certkit: Command):

@@ -99,7 +99,9 @@ def test_a_failure_outweighs_a_missing_channel():
 
 
 def test_a_recalled_corridor_is_remarked_next_to_the_verdict():
-    result = grade(PENDULUM, PENDULUM_CORRIDORS, pendulum())
+    known = PENDULUM_CORRIDORS["r127-pendulum"]
+    recalled = {name: w.model_copy(update={"confidence": "recalled"}) for name, w in known.windows.items()}
+    result = grade(PENDULUM, {"r127-pendulum": known.model_copy(update={"windows": recalled})}, pendulum())
     assert any("not verified against the regulation's text" in remark for remark in result.remarks)
 
 
@@ -242,7 +244,10 @@ def test_corridors_and_scores_for_another_impactor_hold_nothing():
 
 def test_the_notes_of_corridors_and_filters_are_told():
     notes = grade(VEHICLE, VEHICLE_CORRIDORS, impact()).notes
-    assert any(note.startswith("T1, T2, T3, T4: The source prints") for note in notes)
+    relaxed = {"corridor": "r127-vehicle/tibia-relaxed"}
+    criteria = [c.model_copy(update=relaxed) if c.id == "T1" else c for c in VEHICLE.criteria]
+    told = grade(VEHICLE.model_copy(update={"criteria": criteria}), VEHICLE_CORRIDORS, impact()).notes
+    assert any(note.startswith("T1: Holds over widths") for note in told)
     assert any(note.startswith("Filters: ISO 6487") for note in notes)
 
 

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from certkit.errors import UsageError
-from certkit.grading import grade_quality, numerical_uncertainties, step_change_percent
+from certkit.grading import StepChange, grade_quality, largest_step_change, numerical_uncertainties
 from certkit.grading.refinement import numerical_uncertainty
 
 
@@ -19,14 +19,15 @@ class Figures:
     energy_error_percent: float = 0.05
     joint_gap_mm: float = 0.006
     penetration_mm: float = 0.3
+    flesh_depth_percent: float = 94.0
     steps: int = 30000
     time_step: float = 2e-5
 
 
 def test_a_run_within_all_limits_can_be_trusted():
-    quality = grade_quality(Figures(), step_change_percent=0.04, solver_seconds=0.2)
+    quality = grade_quality(Figures(), step_change=StepChange(0.04, "T1"), solver_seconds=0.2)
     assert quality.verdict == "pass"
-    assert [check.verdict for check in quality.checks] == ["pass"] * 4
+    assert [check.verdict for check in quality.checks] == ["pass"] * 5
 
 
 @pytest.mark.parametrize(
@@ -35,6 +36,7 @@ def test_a_run_within_all_limits_can_be_trusted():
         {"energy_error_percent": 0.51},
         {"joint_gap_mm": 0.021},
         {"penetration_mm": 2.1},
+        {"flesh_depth_percent": 100.1},
         {"energy_error_percent": math.nan},
         {"joint_gap_mm": math.inf},
     ],
@@ -45,12 +47,12 @@ def test_one_figure_beyond_its_limit_is_an_error(worse: dict[str, float]):
 
 @pytest.mark.parametrize("change", [0.51, math.inf, math.nan])
 def test_a_step_that_matters_is_an_error(change: float):
-    assert grade_quality(Figures(), step_change_percent=change).verdict == "error"
+    assert grade_quality(Figures(), step_change=StepChange(change, "T1")).verdict == "error"
 
 
 def test_nobody_looking_at_the_step_is_told_apart_from_no_change():
     assert grade_quality(Figures()).step_change_percent is None
-    assert grade_quality(Figures(), step_change_percent=0.0).step_change_percent == 0.0
+    assert grade_quality(Figures(), step_change=StepChange(0.0, "")).step_change_percent == 0.0
 
 
 def second_order(h: float, error: float = 3.0) -> float:
@@ -100,14 +102,30 @@ def test_only_criteria_that_all_runs_measured_get_an_uncertainty():
     }
 
 
-def test_the_step_change_is_the_largest_of_all_criteria():
-    assert step_change_percent({"T1": 200.0, "T2": 100.0}, {"T1": 201.0, "T2": 100.2}) == pytest.approx(0.5)
+def test_where_no_flesh_is_compressed_nothing_is_said_of_it():
+    codes = [c.coded_title.code for c in grade_quality(replace(Figures(), flesh_depth_percent=0.0)).checks]
+    assert "flesh-depth" not in codes
+
+
+def test_a_step_that_matters_names_the_channel_and_the_remedy():
+    (check,) = [
+        check
+        for check in grade_quality(Figures(), step_change=StepChange(0.8, "PCL")).checks
+        if check.verdict != "pass"
+    ]
+    assert check.remedy is not None
+    assert check.remedy.parameters == {"criterion": "PCL", "step": 1e-5}
+
+
+def test_the_step_change_is_the_largest_of_all_criteria_and_names_it():
+    change = largest_step_change({"T1": 200.0, "T2": 100.0}, {"T1": 201.0, "T2": 100.2})
+    assert (change.percent, change.criterion) == (pytest.approx(0.5), "T1")
 
 
 def test_a_peak_of_nearly_zero_is_measured_by_its_floor():
-    assert step_change_percent({"F3": 0.001}, {"F3": 0.002}, {"F3": 1.0}) == pytest.approx(0.1)
+    assert largest_step_change({"F3": 0.001}, {"F3": 0.002}, {"F3": 1.0}).percent == pytest.approx(0.1)
 
 
 def test_a_criterion_that_appears_or_vanishes_is_an_endless_change():
-    assert step_change_percent({"T1": None}, {"T1": 1.0}) == math.inf
-    assert step_change_percent({"T1": None}, {"T1": None}) == 0.0
+    assert largest_step_change({"T1": None}, {"T1": 1.0}) == StepChange(math.inf, "T1")
+    assert largest_step_change({"T1": None}, {"T1": None}) == StepChange(0.0, "")

@@ -16,14 +16,14 @@ from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.output_document import listed_json
 from certkit.documents.result import InputFile, Kind, Provenance
 from certkit.errors import DataError, UsageError
-from certkit.logbooks import Logbook, add, overview, rebuild
-from certkit.logbooks.overview import shipped_rules
+from certkit.logbooks import Logbook, add, overview, rebuild, shipped_rules
 from certkit.reporting.logbook_page import logbook_page
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
+    from certkit.documents.logbook_overview import Validity
     from certkit.documents.result import Result
 
 
@@ -66,50 +66,86 @@ def test_due_dates_follow_the_last_certification(logbook: Logbook):
     assert overview(logbook, "A-1", day=BEGIN + timedelta(days=366)).state == "due"
 
 
-def test_impacts_are_counted_from_the_last_passed_pendulum(tmp_path: Path):
-    results = [document("C", BEGIN, 1, "pendulum", 250.0)]
-    results += [
-        document("C", BEGIN + timedelta(days=n), n, "vehicle", 300.0, upper=340.0) for n in range(1, 11)
-    ]
-    leg = overview(kept(tmp_path, results), "C")
+def vehicle_tests(first: int, count: int, t1: float = 300.0) -> list[Result]:
+    days = range(first, first + count)
+    return [document("C", BEGIN + timedelta(days=n), n, "vehicle", t1, upper=340.0) for n in days]
+
+
+def sequence(folder: Path, results: list[Result]) -> Validity:
+    return next(line for line in overview(kept(folder, results), "C").validity if line.rule == "sequence")
+
+
+def test_inverse_pendulum_pendulum_follow_in_turn_with_ten_vehicle_tests_between(tmp_path: Path):
+    results = [document("C", BEGIN, 1, "inverse", 250.0), *vehicle_tests(2, 10)]
+    line = sequence(tmp_path / "1", results)
+    assert (line.used, line.left, line.state) == (10, 0, "due")
+    assert line.why.endswith("pendulum is next")
+    results += [document("C", BEGIN + timedelta(days=12), 12, "pendulum", 250.0), *vehicle_tests(13, 3)]
+    line = sequence(tmp_path / "2", results)
+    assert (line.used, line.left, line.state) == (3, 7, "valid")
+    results += [document("C", BEGIN + timedelta(days=20), 20, "pendulum", 250.0)]
+    assert sequence(tmp_path / "3", results).why.endswith("inverse is next")
+
+
+def test_a_pendulum_where_the_inverse_test_is_next_does_not_count(tmp_path: Path):
+    names = ("inverse", "pendulum", "pendulum")
+    results = [document("C", BEGIN, n, name, 250.0) for n, name in enumerate(names, 1)]
+    results += [*vehicle_tests(4, 6), document("C", BEGIN + timedelta(days=10), 10, "pendulum", 250.0)]
+    assert sequence(tmp_path, results).used == 6
+
+
+def test_a_failed_certification_or_an_eleventh_vehicle_test_breaks_the_series(tmp_path: Path):
+    begin = [document("C", BEGIN, 1, "inverse", 250.0)]
+    failed = [*begin, document("C", BEGIN + timedelta(days=2), 2, "pendulum", 200.0)]
+    line = sequence(tmp_path / "failed", failed)
+    assert (line.state, line.why) == (
+        "due",
+        "pendulum did not pass on 2025-01-08; the series starts again with inverse",
+    )
+    late = [*begin, *vehicle_tests(2, 11), document("C", BEGIN + timedelta(days=13), 13, "pendulum", 250.0)]
+    assert sequence(tmp_path / "late", late).state == "due"
+    again = [*late, document("C", BEGIN + timedelta(days=14), 14, "inverse", 250.0)]
+    assert sequence(tmp_path / "again", again).left == 10
+
+
+def test_euro_ncap_counts_impacts_from_the_last_passed_certification(tmp_path: Path):
+    rules = shipped_rules("euro-ncap-v7")
+    results = [document("C", BEGIN, n, name, 250.0) for n, name in ((1, "pendulum"), (2, "inverse"))]
+    results += vehicle_tests(3, 12)
+    leg = overview(kept(tmp_path, results), "C", rules=rules)
     impacts = next(line for line in leg.validity if line.rule == "count")
-    assert (impacts.used, impacts.left, impacts.state) == (10, 0, "due")
-    failed = [*results, document("C", BEGIN + timedelta(days=20), 20, "pendulum", 200.0)]
-    leg = overview(kept(tmp_path / "failed", failed), "C")
-    assert next(line for line in leg.validity if line.rule == "count").state == "revoked"
-    passed = [*failed, document("C", BEGIN + timedelta(days=21), 21, "pendulum", 250.0)]
-    leg = overview(kept(tmp_path / "passed", passed), "C")
-    assert next(line for line in leg.validity if line.rule == "count").left == 10
+    assert (impacts.used, impacts.left, impacts.state) == (12, 0, "due")
+
+
+def test_rules_that_are_not_shipped_are_refused_with_those_that_are():
+    with pytest.raises(UsageError, match="one of euro-ncap-v7, r127"):
+        shipped_rules("jncap")
 
 
 def test_tests_of_one_day_follow_each_other_by_number(tmp_path: Path):
     results = [
-        document("C", BEGIN, 10, "pendulum", 250.0),
+        document("C", BEGIN, 10, "inverse", 250.0),
         document("C", BEGIN, 9, "vehicle", 300.0, upper=340.0),
     ]
     leg = overview(kept(tmp_path, results), "C")
     assert [line.number for line in leg.tests] == ["2025-9", "2025-10"]
-    assert next(line for line in leg.validity if line.rule == "count").used == 0
+    assert next(line for line in leg.validity if line.rule == "sequence").used == 0
 
 
-def test_a_reading_far_over_its_limit_ends_the_certification(tmp_path: Path):
-    results = [
-        document("C", BEGIN, 1, "pendulum", 250.0),
-        document("C", BEGIN, 2, "inverse", 250.0),
-        document("C", BEGIN + timedelta(days=1), 3, "vehicle", 340.0 * 1.09, upper=340.0),
-    ]
-    overload = overview(kept(tmp_path, results), "C").validity[-1]
-    assert overload.state == "valid"
-    results.append(document("C", BEGIN + timedelta(days=2), 4, "vehicle", 340.0 * 1.11, upper=340.0))
-    overload = overview(kept(tmp_path / "over", results), "C").validity[-1]
-    assert overload.state == "due"
-    assert "T1 read 377.4 N·m on 2025-01-08 (vehicle), 11% over 340" in overload.why
+def test_a_reading_beyond_its_amplitude_class_ends_the_certification(tmp_path: Path):
+    rules = shipped_rules("euro-ncap-v7")
+    results = [document("C", BEGIN, n, name, 250.0) for n, name in ((1, "pendulum"), (2, "inverse"))]
+    within = overview(kept(tmp_path, [*results, *vehicle_tests(3, 1, 399.0)]), "C", rules=rules)
+    assert within.validity[-1].state == "valid"
+    over = overview(kept(tmp_path / "over", [*results, *vehicle_tests(3, 1, 404.0)]), "C", rules=rules)
+    assert over.validity[-1].state == "due"
+    assert "T1 read 404 N·m on 2025-01-09 (vehicle), 1% over 400" in over.validity[-1].why
 
 
 def test_a_leg_that_never_passed_was_never_certified(tmp_path: Path):
-    leg = overview(kept(tmp_path, [document("C", BEGIN, 1, "pendulum", 200.0)]), "C")
+    leg = overview(kept(tmp_path, vehicle_tests(1, 1)), "C")
     assert leg.state == "never certified"
-    assert "pendulum never passed" in leg.validity[0].why
+    assert "inverse never passed" in leg.validity[0].why
 
 
 def test_scatter_is_that_of_the_values(logbook: Logbook):

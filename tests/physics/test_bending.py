@@ -42,7 +42,7 @@ def equilibrium(
     return float(deflection), k * low
 
 
-CASES = [("static-femur", "femur", 0.330, 4848.0), ("static-tibia", "tibia", 0.410, 3902.0)]
+CASES = [("static-femur", "femur", 0.330, 4606.0), ("static-tibia", "tibia", 0.410, 3707.0)]
 
 
 @pytest.mark.parametrize(("name", "part", "span", "force"), CASES)
@@ -60,7 +60,7 @@ def test_deflection_is_that_of_the_chain_s_equilibrium_within_half_a_per_cent(
         assert run["mid deflection"].values[level] == pytest.approx(deflection, rel=5e-3)
         assert run["mid moment"].values[level] == pytest.approx(moment, rel=2e-3)
     assert run["ram force"].values[-1] == pytest.approx(force)
-    assert run["mid moment"].values[-1] == pytest.approx(400.0, rel=5e-3)
+    assert run["mid moment"].values[-1] == pytest.approx(380.0, rel=5e-3)
 
 
 @pytest.mark.parametrize(("name", "part", "span", "force"), CASES)

@@ -45,6 +45,7 @@ MADE_FROM_PARTS = {
     "joint-gap",
     "penetration",
     "step-change",
+    "flesh-depth",
     "sensor-expired",
     "sensor-calibrated-later",
 }

@@ -12,12 +12,14 @@ from certkit.definitions.calibration import CalibrationTask
 from certkit.definitions.loading.library import load
 from certkit.documents.rounding import rounded
 from certkit.errors import UsageError
+from certkit.studies.calibration.basins import spread_places
 from certkit.studies.calibration.fit import make_ready
 from certkit.studies.calibration.identifiability import LEARNT, knowledge
-from certkit.studies.calibration.leg_family import passes
+from certkit.studies.calibration.leg_family import extent, passes
 from certkit.studies.calibration.parameter_space import Axis, Space
 from certkit.studies.calibration.run_calibration import carry_and_write
 from certkit.studies.points import Outcome
+from certkit.studies.trial import Trial
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -45,7 +47,7 @@ SHEET: dict[str, Any] = {
     ],
     "targets": [{"procedure": "inverse", "criteria": ["T1", "MCL"]}],
     "search": {"generations": 0, "steps": 6, "pull": 0.0},
-    "family": {"walkers": 6, "steps": 4},
+    "family": {"steps": 4},
 }
 
 
@@ -96,19 +98,53 @@ def test_an_interrupted_fit_ends_where_an_uninterrupted_one_ends(tmp_path: Path)
         assert (halved / name).read_bytes() == (whole / name).read_bytes()
 
 
-def test_every_member_of_a_family_passes_when_it_is_run_again(tmp_path: Path) -> None:
+def test_every_member_of_a_family_passes_when_it_is_run_again_with_its_rig(tmp_path: Path) -> None:
+    stiffness, width = SHEET["parameters"]
     sheet = changed(
-        parameters=[{**SHEET["parameters"][0], "with": [], "lower": "140 N·m²", "upper": "160 N·m²"}],
+        parameters=[{**stiffness, "with": [], "lower": "150 N·m²", "upper": "190 N·m²"}, width],
         search={"generations": 0, "steps": 0},
     )
     task = make_ready(sheet)
-    carry_and_write(task, tmp_path, processes=1, family=3)
+    report = carry_and_write(task, tmp_path, processes=1, family=3)[1]
     family = load("family", tmp_path / "families" / "flex-pli-gtr.yaml").document
     assert len({tuple(member.values.items()) for member in family.members}) == 3
+    assert all(member.rigs["inverse"].keys() == {"rig.ram.width on knee"} for member in family.members)
+    assert report.family is not None
+    assert report.family.members == 3
     for member in family.members:
-        own = {f"legform.{path}": value for path, value in member.values.items()}
-        trial = type(task.trial)(task.trial.procedures, fixed={**task.trial.fixed, **own})
+        trial = Trial(task.trial.procedures, fixed={**task.trial.fixed, **member.overrides("inverse")})
         assert trial({})["inverse/verdict"] == "pass"
+
+
+def test_an_even_spread_is_wide_even_and_of_many_dimensions() -> None:
+    even = extent(spread_places(400, 6, seed=3))
+    assert even.coverage > 0.98
+    assert even.evenness == pytest.approx(1.0, abs=0.05)
+    assert even.dimensions > 5
+    assert even.distance == pytest.approx(1.0, abs=0.1)
+
+
+def test_a_family_along_one_line_has_one_dimension() -> None:
+    line = np.linspace(0.4, 0.6, 30)[:, None] * np.ones(6)
+    narrow = extent(line)
+    assert narrow.coverage == pytest.approx(0.2)
+    assert narrow.dimensions == pytest.approx(1.0)
+    assert narrow.distance < 0.1
+
+
+def test_values_are_predicted_by_the_others_where_that_is_wanted(tmp_path: Path) -> None:
+    sheet = changed(
+        parameters=SHEET["parameters"][1:], search={"generations": 0, "steps": 2, "leave one out": True}
+    )
+    report = carry_and_write(make_ready(sheet), tmp_path, processes=1)[1]
+    assert all(isinstance(value.left_out, float) for value in report.values)
+
+
+def test_other_searches_are_reported_beside_the_fit(tmp_path: Path) -> None:
+    search = {"generations": 0, "steps": 1, "basins": 2, "population": 4}
+    report = carry_and_write(make_ready(changed(search=search)), tmp_path, processes=1)[1]
+    assert {basin.start for basin in report.basins} == {"1", "2"}
+    assert report.basins[0].squares <= report.basins[1].squares
 
 
 def test_a_run_that_failed_or_cannot_be_trusted_does_not_pass() -> None:

@@ -3,7 +3,8 @@
 Force on a strip of height h: F = p·w·h·min(d_e/d_y, 1), with the crush strength p (Pa), the contact width w
 of the segment it meets (m), the elastic depth d_e = d - d_p and the depth d_y at which it yields (m). What
 goes beyond d_y adds to the crushed depth d_p, which stays: energy p·w·h per metre is dissipated. It pushes
-only.
+only. Where the leg wears its flesh, both are in series: d is what the flesh leaves, whose force
+(`flesh_compression`) is the same.
 
 Source: perfectly plastic crush at constant pressure, the idealisation by which honeycomb is specified with
 one crush strength.
@@ -15,11 +16,45 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.flesh_compression import elastic, friction_share, tilted
 from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
-from certkit.mechanics.force_laws.leg_outline import piece_at, surface_at
+from certkit.mechanics.force_laws.leg_outline import piece_at, surface_at, surface_velocity
 
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
+
+
+HALVINGS = 40
+"""Of the interval in which the flesh's depth is looked for: down to a thousandth of a nanometre."""
+
+
+@compiled
+def flesh_depth(approach: float, cosine: float, strength: float, scale: float, strip: Honeycomb) -> float:
+    """Return the depth of flesh along x (m) at which its force and the honeycomb's are the same.
+
+    Parameters
+    ----------
+    approach : float
+        Depth of flesh and elastic honeycomb together, m.
+    cosine : float
+        Of the leg's tilt.
+    strength : float
+        p·w, N/m.
+    scale : float
+        Factor of the flesh's elastic force: one and its friction.
+    strip : Honeycomb
+    """
+    low, high = 0.0, approach
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        press, _energy = elastic(
+            middle * cosine, strip.compression, strip.layer, strip.compacted_at, strip.wall
+        )
+        if scale * press > strength * min((approach - middle) / strip.elastic_depth, 1.0):
+            high = middle
+        else:
+            low = middle
+    return 0.5 * (low + high)
 
 
 @dataclass(kw_only=True)
@@ -39,11 +74,15 @@ class Honeycomb(ForceLaw):
     elastic_depth : float
         d_y, m.
     thickness : float
-        Of the flesh in front of the bone, m.
+        Of the flesh in front of the bone, m; 0 where it is off.
+    compression, layer, compacted_at, wall, loss : float
+        Of the flesh, as in `FleshCompression`.
     crushed : State
         d_p, m: remembered from step to step.
     force : State
         F now, N.
+    flesh_depth : State
+        Depth of the flesh now, m.
     """
 
     carrier: Body
@@ -53,8 +92,14 @@ class Honeycomb(ForceLaw):
     strength: float
     elastic_depth: float
     thickness: float
+    compression: float
+    layer: float
+    compacted_at: float
+    wall: float
+    loss: float
     crushed: State = 0.0
     force: State = 0.0
+    flesh_depth: State = 0.0
 
     @staticmethod
     @compiled
@@ -74,21 +119,39 @@ class Honeycomb(ForceLaw):
             piece = found
             x, by_z, by_angle = surface_at(now, piece, z, strip.thickness)
             yield_depth = strip.elastic_depth
-            elastic = x - carrier.x - strip.face_x - strip.crushed
-            if elastic <= 0.0:
+            approach = x - carrier.x - strip.face_x - strip.crushed
+            if approach <= 0.0:
+                strip.flesh_depth = 0.0
                 continue
-            strength = strip.strength * now.outline[piece].width * strip.height
-            if elastic > yield_depth:
-                totals.dissipated += strength * (elastic - yield_depth)
-                strip.crushed += elastic - yield_depth
-                elastic = yield_depth
-            force = strength * elastic / yield_depth
-            totals.stored += 0.5 * force * elastic
+            body = now.outline[piece].body
+            strength = strip.strength * now.outline[piece].width
+            soft = by_cosine = 0.0
+            leg = now.pose[body]
+            if strip.thickness > 0.0:
+                closing = surface_velocity(now, body, by_z, by_angle)
+                closing -= now.velocity[strip.carrier].x + by_z * now.velocity[strip.carrier].z
+                scale = 1.0 + friction_share(closing * leg.cos, strip.loss)
+                soft = flesh_depth(approach, leg.cos, strength, scale, strip)
+                press, energy, by_cosine = tilted(
+                    soft, leg.cos, strip.compression, strip.layer, strip.compacted_at, strip.wall
+                )
+                totals.stored += energy * strip.height
+                totals.power += press * (scale - 1.0) * strip.height * (soft - strip.flesh_depth) / now.step
+                totals.flesh_depth = max(totals.flesh_depth, soft * leg.cos / strip.layer)
+            strip.flesh_depth = soft
+            deep = approach - soft
+            strength *= strip.height
+            if deep > yield_depth:
+                totals.dissipated += strength * (deep - yield_depth)
+                strip.crushed += deep - yield_depth
+                deep = yield_depth
+            force = strength * deep / yield_depth
+            totals.stored += 0.5 * force * deep
             totals.force += force
-            on_leg, on_carrier = load[now.outline[piece].body], load[strip.carrier]
+            on_leg, on_carrier = load[body], load[strip.carrier]
             on_leg.x -= force
             on_leg.z -= force * by_z
-            on_leg.torque -= force * by_angle
+            on_leg.torque -= force * by_angle - strip.height * by_cosine * leg.sin
             on_carrier.x += force
             on_carrier.z += force * by_z
             strip.force = force

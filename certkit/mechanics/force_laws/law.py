@@ -93,6 +93,8 @@ class Totals(Record):
         Resultant along x now, N, positive towards the obstacle.
     penetration : float
         Deepest penetration of a contact now, m.
+    flesh_depth : float
+        Largest depth of compressed flesh over its thickness now.
     """
 
     stored: float
@@ -100,6 +102,7 @@ class Totals(Record):
     dissipated: float
     force: float
     penetration: float
+    flesh_depth: float
 
 
 class Instant(NamedTuple):

@@ -55,3 +55,10 @@ def surface_at(now: Instant, piece: int, z: float, thickness: float) -> tuple[fl
     lever = z - pose.z
     off = (leg.face + thickness) / c
     return pose.x - lever * tangent + off, tangent, off * tangent - lever / (c * c)
+
+
+@compiled
+def surface_velocity(now: Instant, body: int, by_height: float, by_angle: float) -> float:
+    """Return how fast a segment's surface moves along x at a height that stays, m/s; see `surface_at`."""
+    velocity = now.velocity[body]
+    return velocity.x + by_height * velocity.z + by_angle * velocity.angular

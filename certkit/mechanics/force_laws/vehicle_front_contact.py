@@ -1,14 +1,14 @@
 """The leg's flesh against the faces of a car front: sliding contact, pushing only, with friction.
 
-Force on a strip of height h: F = k·h·d·(1 + (d/d₀)²) with depth d, as in `flesh_compression`, and friction
+Force on a strip over depth and its rate, with what the flesh loses, as in `flesh_compression`, and friction
 μ·F·tanh(v/v₀) against the sliding speed v along the leg.
 
 The front is cut into strips of constant height above the ground. A strip's face moves with the group it
 belongs to or, between two neighbouring groups, with a mean of both: the face stays one line without steps,
 and a force on it goes to both groups in the same shares, so no work is lost. The leg's surface likewise goes
 over from one segment to the next within a short ramp, and fades out at the leg's ends: where it jumped,
-strips that the leg slides along would gain depth without work. All forces are the gradient of one stored
-energy, so that it is kept.
+strips that the leg slides along would gain depth without work. All elastic forces are the gradient of one
+stored energy, so that it is kept.
 
 Source: the compression law of the legform document; the ramps and the smoothing of friction are numerical
 choices, none of which changes a peak by as much as a halved time step does.
@@ -21,8 +21,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.flesh_compression import friction_share, tilted
 from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
-from certkit.mechanics.force_laws.leg_outline import STEEPEST, surface_at
+from certkit.mechanics.force_laws.leg_outline import STEEPEST, surface_at, surface_velocity
 
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
@@ -32,6 +33,9 @@ RAMP = 0.01
 
 FADE = 0.2
 """Cosine: over this range above the steepest tilt that can be met, contact fades out."""
+
+HALF = 0.5
+"""Where less of the contact than this is left, at the leg's ends, its depth is that of no flesh."""
 
 STICK = 0.1
 """v₀, m/s: sliding speed at which friction has come to three quarters of its full value."""
@@ -123,14 +127,20 @@ class VehicleFrontContact(ForceLaw):
         h, m.
     compression : float
         k, N/m².
-    stiffening_depth : float
-        d₀, m.
+    layer : float
+        t, m; without end for a bare bone.
+    compacted_at : float
+        d_c, m.
+    wall : float
+        w, N/m².
+    loss : float
+        λ.
     thickness : float
         Of the flesh in front of the bone, m.
     friction : float
         μ.
     depth, force : State
-        d (m) and F (N) now.
+        D (m) and F (N) now.
     """
 
     lower: Body
@@ -140,7 +150,10 @@ class VehicleFrontContact(ForceLaw):
     share: float
     height: float
     compression: float
-    stiffening_depth: float
+    layer: float
+    compacted_at: float
+    wall: float
+    loss: float
     thickness: float
     friction: float
     depth: State = 0.0
@@ -182,21 +195,34 @@ class VehicleFrontContact(ForceLaw):
             part, growth = _kept_at_ends(now, piece, z)
             if depth <= 0.0 or part <= 0.0:
                 continue
-            ratio = depth / strip.stiffening_depth
-            full = strip.compression * strip.height
-            force = part * upright * full * depth * (1.0 + ratio * ratio)
-            energy = full * depth * depth * (0.5 + 0.25 * ratio * ratio)
+            cosine = (1.0 - weight) * now.pose[above].cos + weight * now.pose[below].cos
+            press, energy, by_cosine = tilted(
+                depth, cosine, strip.compression, strip.layer, strip.compacted_at, strip.wall
+            )
+            press *= part * upright * strip.height
+            energy *= strip.height
+            by_cosine *= part * upright * strip.height
+            closing = (1.0 - weight) * surface_velocity(now, above, by_z, by_angle)
+            closing += weight * surface_velocity(now, below, other_z, other_angle)
+            closing -= (1.0 - share) * now.velocity[first].x + share * now.velocity[second].x
+            friction = press * friction_share(closing * cosine, strip.loss)
+            force = press + friction
             totals.stored += part * upright * energy
+            totals.power += friction * closing
             totals.force += force
+            if part * upright > HALF:
+                totals.flesh_depth = max(totals.flesh_depth, depth * cosine / strip.layer)
             body = now.outline[piece].body
             _push_back(load, above, (1.0 - weight) * force, by_z, by_angle)
             _push_back(load, below, weight * force, other_z, other_angle)
             # The ramp moves with the lower end of the upper segment, and what the ends leave with the ends.
-            up = (force * across + part * energy * (kept_below - kept)) * 0.5 / RAMP
+            up = press * across + part * energy * (kept_below - kept)
+            up += by_cosine * (now.pose[below].cos - now.pose[above].cos)
+            up *= 0.5 / RAMP
             load[above].z -= up
             load[above].torque += up * now.outline[upper].bottom * now.pose[above].sin
-            load[above].torque += part * energy * (1.0 - weight) * gain * now.pose[above].sin
-            load[below].torque += part * energy * weight * gain_below * now.pose[below].sin
+            load[above].torque += (part * energy * gain + by_cosine) * (1.0 - weight) * now.pose[above].sin
+            load[below].torque += (part * energy * gain_below + by_cosine) * weight * now.pose[below].sin
             end = now.outline[piece].top if growth > 0.0 else now.outline[piece].bottom
             load[body].z -= upright * energy * growth
             load[body].torque += upright * energy * growth * end * now.pose[body].sin

@@ -34,6 +34,8 @@ class RunQuality:
         Largest distance between the two halves of a pivot.
     penetration_mm : float
         Deepest penetration of condyles, supports and ram nose.
+    flesh_depth_percent : float
+        Largest depth of the flesh over its thickness; 0 where no flesh is compressed.
     steps : int
     time_step : float
     iterations : int
@@ -47,6 +49,7 @@ class RunQuality:
     energy_error_percent: float
     joint_gap_mm: float
     penetration_mm: float
+    flesh_depth_percent: float
     steps: int
     time_step: float
     iterations: int
@@ -72,6 +75,7 @@ def run_quality(run: Trajectory, time_step: float, iterations: int) -> RunQualit
         energy_error_percent=100 * float(np.abs(imbalance).max()) / turned if turned > 0 else 0.0,
         joint_gap_mm=1e3 * run.joint_gap,
         penetration_mm=1e3 * run.penetration,
+        flesh_depth_percent=round(1e2 * run.flesh_depth, 6),
         steps=run.steps,
         time_step=time_step,
         iterations=iterations,

@@ -78,6 +78,7 @@ def clear_totals(totals: Rows[Totals]) -> None:
         account.power = 0.0
         account.force = 0.0
         account.penetration = 0.0
+        account.flesh_depth = 0.0
 
 
 @compiled
@@ -98,15 +99,18 @@ def write_loads(run: KernelArguments) -> None:
 
 
 @compiled
-def add_up(totals: Rows[Totals], dissipated: Floats, accounts: Rows[AccountFigures]) -> tuple[float, float]:
-    """Write a sample's energies by account; return contact force (N) and deepest penetration (m)."""
-    force = deepest = 0.0
+def add_up(
+    totals: Rows[Totals], dissipated: Floats, accounts: Rows[AccountFigures]
+) -> tuple[float, float, float]:
+    """Write energies by account; return contact force (N), penetration (m), flesh depth over thickness."""
+    force = deepest = flesh = 0.0
     for a in range(len(totals)):
         accounts[a].stored = totals[a].stored
         accounts[a].dissipated = dissipated[a] + totals[a].dissipated
         force += totals[a].force
         deepest = max(deepest, totals[a].penetration)
-    return force, deepest
+        flesh = max(flesh, totals[a].flesh_depth)
+    return force, deepest, flesh
 
 
 @compiled
@@ -119,13 +123,14 @@ def record_sample(run: KernelArguments, at: int, length: float) -> None:
         run.tracks[at, j, 0] = pose.x
         run.tracks[at, j, 1] = pose.z
         run.tracks[at, j, 2] = pose.angle
-    force, deepest = add_up(run.totals, run.dissipated, run.accounts[at])
+    force, deepest, flesh = add_up(run.totals, run.dissipated, run.accounts[at])
     pymunk, state = run.addresses[0], run.state[0]
     hinge_force = call_impulse(pymunk.impulse, pymunk.hinge) / length if pymunk.hinge != 0 else 0.0
     run.figures[at].hinge_force = hinge_force
     run.figures[at].contact_force = force
     state.joint_gap = max(state.joint_gap, widest_gap(run.pose, run.pivots))
     state.penetration = max(state.penetration, deepest)
+    state.flesh_depth = max(state.flesh_depth, flesh)
 
 
 @compiled

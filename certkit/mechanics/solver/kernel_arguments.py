@@ -82,6 +82,8 @@ class RunState(Record):
         Done, and recorded.
     contact : int
         Step of first contact, -1 for none.
+    flesh_depth : float
+        Largest depth of flesh over its thickness.
     joint_gap, penetration : float
         Largest of all samples, m.
     """
@@ -92,6 +94,7 @@ class RunState(Record):
     contact: int
     joint_gap: float
     penetration: float
+    flesh_depth: float
 
 
 @dataclass

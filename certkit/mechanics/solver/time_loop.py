@@ -79,6 +79,8 @@ class Trajectory:
     kinetic, hinge_force, contact_force : ndarray, shape (s,)
         J and N.
     frame_time, frames : ndarray, shape (f,) and (f, bodies, 3)
+    flesh_depth : float
+        Largest depth of flesh over its thickness.
     joint_gap, penetration : float
         Largest of the run, m.
     steps : int
@@ -100,6 +102,7 @@ class Trajectory:
     frames: Floats
     joint_gap: float
     penetration: float
+    flesh_depth: float
     steps: int
     seconds: float
 
@@ -220,6 +223,7 @@ def run_world(
         frames=run.frames[:taken],
         joint_gap=state.joint_gap,
         penetration=state.penetration,
+        flesh_depth=state.flesh_depth,
         steps=state.steps,
         seconds=seconds,
     )

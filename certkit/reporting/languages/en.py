@@ -16,6 +16,15 @@ REASONS = MappingProxyType(
     {
         # What a verdict rests on and does not cover.
         "run-untrusted": "The run cannot be trusted: {check} {value:.3g} {unit} exceeds {limit:g} {unit}.",
+        "run-untrusted-remedy": (
+            "The run cannot be trusted: {check} {value:.3g} {unit} exceeds {limit:g} {unit} ({remedy})."
+        ),
+        "take-a-smaller-step": "take a smaller step: --set 'run.time step={step:g} s'",
+        "stiffen-the-contacts": "stiffen the contacts that overlap",
+        "stiffen-the-wall": "the bone behind the flesh is too soft for this load: raise `flesh.wall`",
+        "criterion-changes-most": (
+            "{criterion} changes most; halve the step: --set 'run.time step={step:g} s'"
+        ),
         "test-not-evaluated": "Not evaluated: {reason}.",
         "no-criterion-graded": (
             "Not evaluated: no criterion has a corridor that it could be graded against."
@@ -118,6 +127,7 @@ REASONS = MappingProxyType(
         "joint-gap": "joint gap",
         "penetration": "penetration",
         "step-change": "change when the step is halved",
+        "flesh-depth": "flesh depth over its thickness",
         # Notes on recording and conditioning.
         "note-of-criteria": "{criteria:list}: {text}",
         "note-of-channel": "{channel}: {reason}",

@@ -72,5 +72,5 @@ def calibrate(  # noqa: PLR0913  # as many as the command has options
     folder = Path(out)
     if fresh:
         forget(folder / JOURNAL)
-    found, _ = fit_and_write(task, folder, family=family, processes=processes, cluster=cluster, tell=tell)
+    found, *_ = fit_and_write(task, folder, family=family, processes=processes, cluster=cluster, tell=tell)
     return found

@@ -11,6 +11,7 @@ import numpy as np
 from certkit.definitions.calibration import CalibrationTask
 from certkit.definitions.loading.library import load
 from certkit.errors import RunError
+from certkit.studies.calibration.basins import Basin, basin_at, find_basins
 from certkit.studies.calibration.identifiability import Knowledge, knowledge
 from certkit.studies.calibration.parameter_space import Space, space_of
 from certkit.studies.calibration.recorded_targets import recorded_curves, recorded_goals
@@ -53,6 +54,11 @@ class Calibration:
     knowledge : Knowledge
     runs : int
         Distinct runs that the fit needed.
+    basins : tuple of Basin
+        Other places that searches came to, the best first. With `start: anywhere` the best of all is taken;
+        else they show what else the tests allow.
+    left_out : dict of str to float
+        What each value came to in a fit without it, where that was wanted.
     """
 
     task: Task
@@ -61,6 +67,8 @@ class Calibration:
     after: Outcome
     knowledge: Knowledge
     runs: int
+    basins: tuple[Basin, ...]
+    left_out: dict[str, float | str | None]
 
     @property
     def point(self) -> dict[str, float]:
@@ -155,11 +163,29 @@ def calibrate(task: Task, runs: Runs, tell: Tell = lambda _: None) -> Calibratio
     RunError
         When not even the best place found can be run.
     """
-    misfit = Misfit(runs, task.space, task.goals, task.sheet.search.pull)
-    best = everywhere(misfit, task.sheet.search, tell)
-    best = downhill(misfit, best, task.sheet.search.steps, tell)
+    search = task.sheet.search
+    misfit = Misfit(runs, task.space, task.goals, search.pull)
+    best = downhill(misfit, everywhere(misfit, search, tell), search.steps, tell)
+    basins = find_basins(misfit, search, tell) if search.basins else []
+    if search.start == "anywhere":
+        own = basin_at(misfit, "first", best)
+        best = min([own, *basins], key=lambda basin: basin.squares).shares
     before, after = runs([task.space.point(task.space.start), task.space.point(best)])
     if after.error:
         raise RunError(f"the best place found cannot be run ({after.error}); narrow the bounds")
     slopes = misfit.jacobian(best)[: len(task.goals)]
-    return Calibration(task, best, before, after, knowledge(task.space, best, slopes), runs.known)
+    left_out = _left_out(misfit, best, search.steps, tell) if search.leave_one_out else {}
+    known = knowledge(task.space, best, slopes)
+    return Calibration(task, best, before, after, known, runs.known, tuple(basins), left_out)
+
+
+def _left_out(
+    misfit: Misfit, best: NDArray[np.float64], steps: int, tell: Tell
+) -> dict[str, float | str | None]:
+    """Fit without each value in turn, from the best place; return what the value came to there."""
+    found = {}
+    for left in misfit.goals:
+        others = [goal for goal in misfit.goals if goal is not left]
+        shares = downhill(Misfit(misfit.runs, misfit.space, others, misfit.pull), best, steps, tell)
+        found[left.name] = misfit.runs([misfit.space.point(shares)])[0].outputs.get(left.name)
+    return found

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import yaml
 
 from certkit._version import __version__
@@ -13,14 +15,16 @@ from certkit.definitions.loading.overrides import ORIGIN, change
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.calibration_report import (
     CalibrationReport,
+    FamilyFigures,
     FittedParameter,
     FittedValue,
     FollowedCurve,
     Following,
+    ReachedBasin,
     StrongCorrelation,
 )
 from certkit.files import write_whole
-from certkit.studies.calibration.leg_family import passes
+from certkit.studies.calibration.leg_family import extent, passes
 from certkit.studies.quantity import written
 from certkit.studies.trial import scoped
 
@@ -70,11 +74,7 @@ def write_family(calibration: Calibration, members: NDArray[Any], path: Path) ->
         "members": [
             {
                 "id": f"{number:02d}",
-                "values": {
-                    path.removeprefix(LEG): value
-                    for path, value in changes(calibration, row)
-                    if path.startswith(LEG)
-                },
+                **_member(calibration, row),
             }
             for number, row in enumerate(members, 1)
         ],
@@ -84,6 +84,19 @@ def write_family(calibration: Calibration, members: NDArray[Any], path: Path) ->
         f"# from the fit {sheet.fit}. The fitted leg is the base, and no member.\n"
     )
     write_whole(path, head + _yaml(document))
+
+
+def _member(calibration: Calibration, row: NDArray[Any]) -> dict[str, Any]:
+    """Sort what a member has different by legform and rigs."""
+    values: dict[str, str] = {}
+    rigs: dict[str, dict[str, str]] = {}
+    for path, value in changes(calibration, row):
+        scope, inner = scoped(path)
+        if scope:
+            rigs.setdefault(scope, {})[inner] = value
+        else:
+            values[inner.removeprefix(LEG)] = value
+    return {"values": values, **({"rigs": rigs} if rigs else {})}
 
 
 def changes(calibration: Calibration, shares: NDArray[Any]) -> list[tuple[str, str]]:
@@ -98,8 +111,8 @@ def changes(calibration: Calibration, shares: NDArray[Any]) -> list[tuple[str, s
     return found
 
 
-def report(calibration: Calibration) -> CalibrationReport:
-    """Return the document of a calibration."""
+def report(calibration: Calibration, members: NDArray[Any] | None = None) -> CalibrationReport:
+    """Return the document of a calibration, with figures of its family where one was found."""
     task, known = calibration.task, calibration.knowledge
     before, after = calibration.before.outputs, calibration.after.outputs
     return CalibrationReport(
@@ -121,6 +134,7 @@ def report(calibration: Calibration) -> CalibrationReport:
                 after=after.get(goal.name),
                 distance_before=goal.distance(before.get(goal.name)),
                 distance_after=goal.distance(after.get(goal.name)),
+                left_out=calibration.left_out.get(goal.name),
             )
             for goal in task.goals
             if not goal.curve
@@ -143,6 +157,16 @@ def report(calibration: Calibration) -> CalibrationReport:
                 task.space.axes, calibration.shares, task.sheet.parameters, strict=True
             )
         ],
+        basins=[
+            ReachedBasin(
+                start=basin.start,
+                rms=basin.rms,
+                squares=basin.squares,
+                distance=float(np.sqrt(np.mean((basin.shares - calibration.shares) ** 2))),
+            )
+            for basin in calibration.basins
+        ],
+        family=None if members is None else FamilyFigures(members=len(members), **asdict(extent(members))),
         correlations=[StrongCorrelation(between=(a, b), coefficient=c) for a, b, c in known.correlations],
         open_directions=list(known.open),
         certkit=__version__,
@@ -221,7 +245,7 @@ class _Dumper(yaml.SafeDumper):
 
 
 def _mapping(dumper: _Dumper, data: dict[str, Any]) -> yaml.Node:
-    flow = set(data) <= NUMBER or set(data) == {"id", "values"}
+    flow = set(data) <= NUMBER or {"id", "values"} <= set(data)
     return dumper.represent_mapping("tag:yaml.org,2002:map", data.items(), flow_style=flow)
 
 

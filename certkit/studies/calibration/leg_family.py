@@ -1,17 +1,24 @@
 """The family: legs with other numbers that pass every graded criterion as well.
 
-Walkers start at the fitted leg and step at random, with the steps shaped by what the tests leave open, and
-never leave the region in which everything passes. The members are those places, of all that were visited,
-that lie farthest apart.
+Each member is a fit of its own. It begins at the fitted leg or at the bottom of another basin, is drawn to
+another place of the whole parameter space, and aims at another place inside the corridors. Rig dimensions
+that no text gives are as free as the leg's numbers. So members do not gather around the fitted leg: their
+spread is that of legs which pass, as far as the bounds reach.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.errors import RunError, UsageError
+from certkit.definitions.loading.library import load
+from certkit.errors import RunError
+from certkit.studies.calibration.basins import spread_places
+from certkit.studies.calibration.search import Misfit
+from certkit.studies.quantity import in_unit
+from certkit.studies.trial import scoped
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -21,8 +28,17 @@ if TYPE_CHECKING:
     from certkit.studies.points import Outcome
     from certkit.studies.runs import Runs
 
-STRIDES = (0.15, 0.4, 1.0)
-"""Lengths of the steps in turn, in standard deviations: short ones pass, long ones get about."""
+TRIES = 4
+"""Searches a member, at most: some end where not everything passes."""
+
+PULL = 0.2
+"""What half the width of a parameter's bounds weighs, as a distance of a goal in what counts as one."""
+
+INSIDE = 0.02
+"""Shares of the bounds that a member keeps from both: a number on its bound is the bound's."""
+
+STRIDE = 0.3
+"""Largest change of a parameter's share in one step."""
 
 
 def passes(outcome: Outcome, procedures: tuple[str, ...]) -> bool:
@@ -31,8 +47,10 @@ def passes(outcome: Outcome, procedures: tuple[str, ...]) -> bool:
     return not outcome.error and all(verdict in {"pass", "not evaluated"} for verdict in verdicts)
 
 
-def kin(calibration: Calibration, runs: Runs, count: int, tell: Tell) -> NDArray[np.float64]:
-    """Find relatives of the fitted leg.
+def find_members(calibration: Calibration, runs: Runs, count: int, tell: Tell) -> NDArray[np.float64]:
+    """Find legs that pass.
+
+    A search that ends where a criterion fails, or where a run cannot be trusted, is dropped.
 
     Parameters
     ----------
@@ -43,19 +61,17 @@ def kin(calibration: Calibration, runs: Runs, count: int, tell: Tell) -> NDArray
     count : int
         How many legs besides the fitted one.
     tell : callable
-        Told how far the walk has come.
+        Told how far the search has come.
 
     Returns
     -------
     ndarray, shape (count, k)
-        Shares.
+        Shares of the bounds, rig dimensions included.
 
     Raises
     ------
     RunError
         When the fitted leg does not pass, or too few others were found.
-    UsageError
-        When nothing of the legform may differ.
     """
     task, wanted = calibration.task, calibration.task.sheet.family
     procedures = task.trial.procedures
@@ -63,48 +79,118 @@ def kin(calibration: Calibration, runs: Runs, count: int, tell: Tell) -> NDArray
         raise RunError(
             "the fitted leg does not pass every graded criterion itself: it has no certified family"
         )
-    free = _free(calibration)
-    root = np.linalg.cholesky(calibration.knowledge.covariance[np.ix_(free, free)])
-    random = np.random.default_rng(wanted.seed)
-    places = np.repeat(calibration.shares[None, :], wanted.walkers, axis=0)
-    visited = [calibration.shares]
-    for step in range(wanted.steps):
-        stride = STRIDES[step % len(STRIDES)]
-        tried = places.copy()
-        tried[:, free] += stride * random.standard_normal((wanted.walkers, len(free))) @ root.T
-        inside = ((tried[:, free] >= 0) & (tried[:, free] <= 1)).all(axis=1)
-        outcomes = runs([task.space.point(row) for row in tried[inside]])
-        good = np.flatnonzero(inside)[[passes(outcome, procedures) for outcome in outcomes]]
-        places[good] = tried[good]
-        visited += list(tried[good])
-        tell(f"family: step {step + 1} of {wanted.steps}, {len(visited)} legs that pass")
-    if len(visited) <= count:
-        raise RunError(
-            f"only {len(visited) - 1} other legs that pass were found, not {count}; "
-            "raise the family's steps or walkers"
-        )
-    return _far_apart(np.array(visited), count)
+    misfit = Misfit(runs, task.space, task.goals, pull=0.0)
+    known = [] if wanted.starts is None else _places_of(calibration, wanted.starts)
+    starts = [calibration.shares, *(basin.shares for basin in calibration.basins), *known]
+    slopes = [misfit.forward_jacobian(start)[: len(task.goals)] for start in starts]
+    places = spread_places(TRIES * count, len(task.space.axes), wanted.seed)
+    aims = spread_places(TRIES * count, len(task.goals), wanted.seed + 1)
+    members: list[NDArray[np.float64]] = []
+    for number, (place, aim) in enumerate(zip(places, aims, strict=True)):
+        which = number % len(starts)
+        aimed = wanted.within * (2 * aim - 1)
+        reached = _drawn(misfit, starts[which], slopes[which], place, aimed, wanted.steps)
+        if passes(runs([task.space.point(reached)])[0], procedures):
+            members.append(reached)
+        tell(f"family: {len(members)} of {count} legs that pass, {number + 1} searches")
+        if len(members) == count:
+            return np.array(members)
+    raise RunError(
+        f"only {len(members)} legs that pass were found in {TRIES * count} searches, not {count}; "
+        "raise the family's steps"
+    )
 
 
-def _free(calibration: Calibration) -> list[int]:
-    """Return which axes may differ: those of the leg, or the ones that the fit names."""
-    names = calibration.task.space.names
-    wanted = calibration.task.sheet.family.vary
-    strangers = sorted(set(wanted or ()) - set(names))
-    if strangers:
-        raise UsageError(f"family: `{strangers[0]}` is no parameter of this fit")
-    free = [i for i, name in enumerate(names) if (name in wanted if wanted else name.startswith("legform."))]
-    if not free or not all(names[i].startswith("legform.") for i in free):
-        raise UsageError("family: only numbers of the legform can differ between its members")
-    return free
+def _places_of(calibration: Calibration, family: str) -> list[NDArray[np.float64]]:
+    """Return the places of a family's members; a number that they leave alone is the fitted leg's."""
+    task = calibration.task
+    document = load("family", family, library=task.trial.library).document
+    places = []
+    for member in document.members:
+        place = calibration.shares.copy()
+        for i, axis in enumerate(task.space.axes):
+            scope, path = scoped(axis.name)
+            text = member.overrides(scope).get(path)
+            if text is not None:
+                place[i] = axis.share(in_unit(text, axis.unit, axis.name))
+        places.append(np.clip(place, INSIDE, 1 - INSIDE))
+    return places
 
 
-def _far_apart(places: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-    """Take again and again the place that is farthest from the first one and from all taken."""
-    taken = [0]
-    distance = np.linalg.norm(places - places[0], axis=1)
-    while len(taken) <= count:
-        taken.append(int(distance.argmax()))
-        distance = np.minimum(distance, np.linalg.norm(places - places[taken[-1]], axis=1))
-    chosen: NDArray[np.float64] = places[taken[1:]]
-    return chosen
+def _drawn(
+    misfit: Misfit,
+    start: NDArray[np.float64],
+    slopes: NDArray[np.float64],
+    place: NDArray[np.float64],
+    aims: NDArray[np.float64],
+    steps: int,
+) -> NDArray[np.float64]:
+    """Walk from `start` towards `place` with all goals kept at their aims, as far as both go together.
+
+    Gauss-Newton on the goals and the pull to the place, from the derivatives at the start, which each step
+    corrects by what it found (Broyden's update); a step that makes things worse is halved.
+    """
+    weight = 2 * PULL
+
+    def residuals(shares: NDArray[np.float64]) -> NDArray[np.float64]:
+        goals = misfit.one(shares)[: len(aims)] - aims
+        return np.concatenate([goals, weight * (shares - place)])
+
+    shares, now = start, residuals(start)
+    jacobian = np.vstack([slopes, weight * np.eye(len(start))])
+    reach = 1.0
+    for _ in range(steps):
+        step = np.linalg.lstsq(jacobian, -now, rcond=None)[0]
+        step = np.clip(reach * step, -STRIDE, STRIDE)
+        tried = np.clip(shares + step, INSIDE, 1 - INSIDE)
+        moved = tried - shares
+        if np.abs(moved).max() < INSIDE / 10:
+            break
+        after = residuals(tried)
+        jacobian += np.outer(after - now - jacobian @ moved, moved) / float(moved @ moved)
+        if after @ after < now @ now:
+            shares, now, reach = tried, after, min(2 * reach, 1.0)
+        else:
+            reach /= 2
+    return shares
+
+
+@dataclass(frozen=True)
+class FamilyExtent:
+    """How much of what the bounds allow a family covers.
+
+    Parameters
+    ----------
+    coverage : float
+        Range of each parameter over its bounds, averaged.
+    evenness : float
+        Standard deviation of each parameter over that of a uniform one between the bounds, averaged.
+    dimensions : float
+        Directions in which the members differ: participation ratio (Σλ)² / Σλ² of their covariance.
+    distance : float
+        Mean distance of a member from the nearest other, over that of as many places spread evenly.
+    """
+
+    coverage: float
+    evenness: float
+    dimensions: float
+    distance: float
+
+
+def extent(members: NDArray[np.float64]) -> FamilyExtent:
+    """Measure a family of at least two members, shape (n, k) in shares of the bounds."""
+    spread = np.linalg.eigvalsh(np.cov(members, rowvar=False))
+    even = spread_places(len(members), members.shape[1], seed=0)
+    return FamilyExtent(
+        coverage=float(np.ptp(members, axis=0).mean()),
+        evenness=float(np.std(members, axis=0, ddof=1).mean() * np.sqrt(12)),
+        dimensions=float(spread.sum() ** 2 / np.sum(spread**2)),
+        distance=_nearest(members) / _nearest(even),
+    )
+
+
+def _nearest(places: NDArray[np.float64]) -> float:
+    """Return the mean distance of a place from the nearest other."""
+    apart = np.linalg.norm(places[:, None, :] - places[None, :, :], axis=2)
+    np.fill_diagonal(apart, np.inf)
+    return float(apart.min(axis=1).mean())

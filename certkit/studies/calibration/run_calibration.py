@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.bench.render_documents import render
 from certkit.studies.calibration.fit import calibrate, runs_for
 from certkit.studies.calibration.fitted_files import report, write_family, write_fit
-from certkit.studies.calibration.leg_family import kin
+from certkit.studies.calibration.leg_family import find_members
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -36,8 +36,10 @@ def carry_and_write(
         Files written: the legform, rigs that were fitted, `fit.json`, `fit.html`, `families/LEGFORM.yaml`.
     CalibrationReport
     """
-    found, paths = fit_and_write(task, folder, family=family, processes=processes, cluster=cluster, tell=tell)
-    return paths, report(found)
+    _, document, paths = fit_and_write(
+        task, folder, family=family, processes=processes, cluster=cluster, tell=tell
+    )
+    return paths, document
 
 
 def fit_and_write(
@@ -48,14 +50,15 @@ def fit_and_write(
     processes: int | None = None,
     cluster: str | None = None,
     tell: Tell = lambda _: None,
-) -> tuple[Calibration, list[Path]]:
-    """Calibrate and write; return what was found and the files, as `carry_and_write`."""
+) -> tuple[Calibration, CalibrationReport, list[Path]]:
+    """Calibrate and write; return what was found, its report and the files, as `carry_and_write`."""
     with runs_for(task, journal=folder / JOURNAL, processes=processes, cluster=cluster) as runs:
         found = calibrate(task, runs, tell)
         paths = write_fit(found, folder)
-        paths += render(report(found), folder)
-        if family:
-            members = kin(found, runs, family, tell)
+        members = find_members(found, runs, family, tell) if family else None
+        document = report(found, members)
+        paths += render(document, folder)
+        if members is not None:
             paths.append(folder / "families" / f"{task.sheet.legform}.yaml")
             write_family(found, members, paths[-1])
-    return found, paths
+    return found, document, paths

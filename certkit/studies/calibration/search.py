@@ -64,6 +64,13 @@ class Misfit:
         slopes: NDArray[np.float64] = ((found[:count] - found[count:]) / width[:, None]).T
         return slopes
 
+    def forward_jacobian(self, shares: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the derivatives, shape (m, k), by one-sided differences inwards: with half the runs."""
+        steps = np.where(shares < 0.5, STEP, -STEP)
+        found = self.many(np.vstack([shares, shares + np.diag(steps)]))
+        slopes: NDArray[np.float64] = ((found[1:] - found[0]) / steps[:, None]).T
+        return slopes
+
 
 def everywhere(misfit: Misfit, search: Search, tell: Tell) -> NDArray[np.float64]:
     """Search the whole space; return the best shares found."""
@@ -107,7 +114,9 @@ def everywhere(misfit: Misfit, search: Search, tell: Tell) -> NDArray[np.float64
     return np.asarray(found.x, dtype=np.float64)
 
 
-def downhill(misfit: Misfit, shares: NDArray[np.float64], steps: int, tell: Tell) -> NDArray[np.float64]:
+def downhill(
+    misfit: Misfit, shares: NDArray[np.float64], steps: int, tell: Tell, *, one_sided: bool = False
+) -> NDArray[np.float64]:
     """Go to the bottom of the valley by least squares within the bounds; return the shares there."""
     if not steps:
         return shares
@@ -121,7 +130,7 @@ def downhill(misfit: Misfit, shares: NDArray[np.float64], steps: int, tell: Tell
         tell(
             f"downhill: step {step} of at most {steps}, {_words(float(np.sum(misfit.one(at) ** 2)), misfit)}"
         )
-        return misfit.jacobian(at)
+        return misfit.forward_jacobian(at) if one_sided else misfit.jacobian(at)
 
     inside = np.clip(shares, 1e-6, 1 - 1e-6)
     found = least_squares(

@@ -72,7 +72,7 @@ def test_a_polygon_has_to_have_the_curves_axes(tmp_path: Path):
 
 
 def test_a_curve_is_not_held_against_a_window():
-    (problem,) = against("criteria.moment-deflection.corridor=seed-static/femur", name="static-femur")
+    (problem,) = against("criteria.moment-deflection.corridor=r127-pendulum/T1", name="static-femur")
     assert problem == "is a window, but `curve in polygon` is held against a polygon"
 
 

@@ -84,7 +84,7 @@ def test_a_changed_corridor_is_no_longer_the_regulations():
         "set on the command line",
         "estimated",
     )
-    assert loaded.document.windows["T2"].confidence == "recalled"
+    assert loaded.document.windows["T2"].confidence == "verified"
 
 
 @pytest.mark.parametrize(

@@ -76,8 +76,9 @@ def test_a_corridor_is_one_line():
     assert first == ListedParameter(
         "windows.T1",
         "235 N·m to 272 N·m",
-        "UN R127 (01 series), annex 6, and UN GTR 9 Amd 2, as remembered; the text was not read",
-        "recalled",
+        "UN R127, 02 series, annex 6, 1.3; read in a public text extraction of "
+        "E/ECE/324/Rev.2/Add.126/Rev.2, which has no figures",
+        "verified",
     )
 
 

@@ -103,10 +103,11 @@ def bar_against(
     return run_world(world, Plan(STEP, until, until), force, [bar]), assembly
 
 
-def test_flesh_gives_back_what_it_takes_and_stiffens():
-    run, _ = bar_against(
-        FleshCompression, {"compression": 1e6, "stiffening_depth": 0.03, "thickness": 0.0}, 3.0, 0.05
-    )
+FLESH = {"compression": 1e6, "layer": 0.03, "compacted_at": 0.027, "wall": 2e9, "loss": 0.0, "thickness": 0.0}
+
+
+def test_flesh_without_loss_gives_back_what_it_takes_and_stiffens():
+    run, _ = bar_against(FleshCompression, FLESH, 3.0, 0.05)
     deepest = run.tracks[:, 0, 0].max()
     k = 1e6 * 0.08
     assert (
@@ -118,8 +119,51 @@ def test_flesh_gives_back_what_it_takes_and_stiffens():
     assert (run.tracks[-1, 0, 0] - run.tracks[-2, 0, 0]) / STEP == pytest.approx(-3.0, rel=1e-4)
 
 
+def test_flesh_ends_at_the_bone():
+    run, _ = bar_against(FleshCompression, FLESH, 12.0, 0.05)
+    assert 0.027 < run.tracks[:, 0, 0].max() < 0.030
+    assert run.flesh_depth == pytest.approx(run.tracks[:, 0, 0].max() / 0.03, rel=1e-3)
+    assert (run.tracks[-1, 0, 0] - run.tracks[-2, 0, 0]) / STEP == pytest.approx(-12.0, rel=1e-3)
+
+
+@pytest.mark.parametrize("resilience", [0.3, 0.5, 0.8])
+def test_flesh_gives_back_the_share_of_its_work_that_is_its_resilience(resilience: float):
+    lossy = FLESH | {"loss": (1 - resilience) / (1 + resilience)}
+    run, _ = bar_against(FleshCompression, lossy, 10.0, 0.05)
+    back = (run.tracks[-1, 0, 0] - run.tracks[-2, 0, 0]) / STEP
+    # At the turning point friction is not yet full: a little less is lost.
+    assert (back / 10.0) ** 2 == pytest.approx(resilience, rel=0.03)
+    assert (back / 10.0) ** 2 > resilience
+    lost = 0.5 * 2.0 * (10.0**2 - back**2)
+    assert run.dissipated[-1].sum() == pytest.approx(lost, rel=1e-3)
+
+
+@pytest.mark.parametrize("tilt", [0.3, 0.9])
+def test_flesh_on_a_tilted_leg_keeps_the_energy_that_it_does_not_lose(tilt: float):
+    assembly = Assembly()
+    place = (-0.01 - 0.05 * np.sin(tilt), 0.0, tilt)
+    bar = assembly.add_body("bar", 2.0, 0.03, place, speed=(12.0, 0.0, 5.0))
+    assembly.add_outline(OutlinePiece(bar, 0.2, -0.2, 0.0, 0.05))
+    for i in range(20):
+        z = 0.038 - 0.004 * i
+        assembly.add(FleshCompression(carrier=GROUND, face_x=0.0, face_z=z, height=0.004, **FLESH))
+    run = run_world(assembly.finish(), Plan(5e-6, 0.02, 0.02), [], [bar])
+    assert run.flesh_depth > 0.5
+    assert np.abs(balance(run) - balance(run)[0]).max() < 1e-3 * balance(run)[0]
+
+
+def test_flesh_and_honeycomb_in_series_carry_the_same_force():
+    honeycomb = FLESH | {"strength": 4e5, "elastic_depth": 1e-3, "thickness": 1e-9}
+    run, _ = bar_against(Honeycomb, honeycomb, 10.0, 0.05)
+    force = run.readings.sum(axis=1)
+    assert force.max() == pytest.approx(4e5 * 0.05 * 0.08, rel=1e-9)
+    # 4e5 Pa · 0.05 m crush it where k·d·(1 + (d/t)²) is as much.
+    deep = run.flesh_depth * 0.03
+    assert 1e6 * deep * (1 + (deep / 0.03) ** 2) == pytest.approx(4e5 * 0.05, rel=1e-3)
+
+
 def test_honeycomb_never_pushes_harder_than_its_strength_and_never_pulls():
-    run, _ = bar_against(Honeycomb, {"strength": 4e5, "elastic_depth": 1e-3, "thickness": 0.0}, 10.0, 0.05)
+    run, _ = bar_against(Honeycomb, FLESH | {"strength": 4e5, "elastic_depth": 1e-3}, 10.0, 0.05)
     force = run.readings.sum(axis=1)
     strength = 4e5 * 0.05 * 0.08
     assert force.max() == pytest.approx(strength, rel=1e-12)
