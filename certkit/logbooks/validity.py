@@ -104,6 +104,7 @@ def _sequence(rule: TestSequence, entries: Sequence[LogbookEntry]) -> Validity:
     turn, counted = rule.certified_by, " and ".join(rule.counts)
     place = used = 0
     last: LogbookEntry | None = None
+    failed: LogbookEntry | None = None
     broken = ""
     for entry in entries:
         if entry.procedure in rule.counts:
@@ -113,11 +114,14 @@ def _sequence(rule: TestSequence, entries: Sequence[LogbookEntry]) -> Validity:
                 place = 0
         elif entry.procedure in turn:
             if entry.verdict != PASSED:
-                place, broken = 0, f"{entry.procedure} did not pass on {entry.day}"
+                failed = entry
             elif entry.procedure == turn[place % len(turn)]:
-                place, used, last, broken = place + 1, 0, entry, ""
+                place, used, last, failed, broken = place + 1, 0, entry, None, ""
             elif entry.procedure == turn[0]:  # a new series is always opened by it
-                place, used, last, broken = 1, 0, entry, ""
+                place, used, last, failed, broken = 1, 0, entry, None, ""
+    if failed is not None and last is not None:
+        why = f"{failed.procedure} ended in `{failed.verdict}` on {failed.day}, after {last.day}"
+        return _said(rule, state="revoked", why=why, due=failed.day.isoformat())
     if broken:
         return _said(rule, state="due", why=f"{broken}; the series starts again with {turn[0]}", used=used)
     if last is None:

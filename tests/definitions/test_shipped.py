@@ -185,7 +185,7 @@ def test_what_was_read_in_an_account_of_a_text_is_not_called_verified(kind: str,
 
 def test_both_bones_have_one_section_and_so_one_stiffness():
     leg = load("legform", "flex-pli-gtr").document
-    assert leg.femur.bending_stiffness == leg.tibia.bending_stiffness
+    assert leg.parts["femur"].bending_stiffness == leg.parts["tibia"].bending_stiffness
 
 
 def test_scores_for_another_legform_are_marked():

@@ -98,10 +98,7 @@ def test_a_failed_certification_or_an_eleventh_vehicle_test_breaks_the_series(tm
     begin = [document("C", BEGIN, 1, "inverse", 250.0)]
     failed = [*begin, document("C", BEGIN + timedelta(days=2), 2, "pendulum", 200.0)]
     line = sequence(tmp_path / "failed", failed)
-    assert (line.state, line.why) == (
-        "due",
-        "pendulum did not pass on 2025-01-08; the series starts again with inverse",
-    )
+    assert (line.state, line.why) == ("revoked", "pendulum ended in `fail` on 2025-01-08, after 2025-01-06")
     late = [*begin, *vehicle_tests(2, 11), document("C", BEGIN + timedelta(days=13), 13, "pendulum", 250.0)]
     assert sequence(tmp_path / "late", late).state == "due"
     again = [*late, document("C", BEGIN + timedelta(days=14), 14, "inverse", 250.0)]
