@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from datetime import timedelta
 from typing import TYPE_CHECKING, Any
 
@@ -99,39 +100,70 @@ def _count(rule: Count, entries: Sequence[LogbookEntry]) -> Validity:
     return _said(rule, state="valid" if left else "due", why=why, left=left, used=used)
 
 
-def _sequence(rule: TestSequence, entries: Sequence[LogbookEntry]) -> Validity:
-    """Follow the turn: where it stands, and how many tests have gone by since its last test."""
-    turn, counted = rule.certified_by, " and ".join(rule.counts)
-    place = used = 0
+@dataclass
+class _Turn:
+    """Where a sequence of certification tests stands.
+
+    Parameters
+    ----------
+    place : int
+        Tests passed in turn since the series began.
+    used : int
+        Counted tests since the last of them, which is `last`.
+    failed : LogbookEntry, optional
+        The certification test that did not pass since then.
+    broken : str
+        Why the series has to start again; empty where it has not.
+    """
+
+    place: int = 0
+    used: int = 0
     last: LogbookEntry | None = None
     failed: LogbookEntry | None = None
-    broken = ""
+    broken: str = ""
+
+    def count(self, rule: TestSequence, entry: LogbookEntry) -> None:
+        """Count a test; one too many ends the series."""
+        self.used += 1
+        if self.place and self.used > rule.at_most:
+            self.broken = (
+                f"{self.used} {' and '.join(rule.counts)} tests without certification by {entry.day}"
+            )
+            self.place = 0
+
+    def certify(self, rule: TestSequence, entry: LogbookEntry) -> None:
+        """Take a certification test: the next in turn, or the first, which always opens a series."""
+        turn = rule.certified_by
+        if entry.verdict != PASSED:
+            self.failed = entry
+            return
+        next_one = entry.procedure == turn[self.place % len(turn)]
+        if next_one or entry.procedure == turn[0]:
+            self.place = self.place + 1 if next_one else 1
+            self.used, self.last, self.failed, self.broken = 0, entry, None, ""
+
+
+def _sequence(rule: TestSequence, entries: Sequence[LogbookEntry]) -> Validity:
+    now = _Turn()
     for entry in entries:
         if entry.procedure in rule.counts:
-            used += 1
-            if place and used > rule.at_most:
-                broken = f"{used} {counted} tests without a certification by {entry.day}"
-                place = 0
-        elif entry.procedure in turn:
-            if entry.verdict != PASSED:
-                failed = entry
-            elif entry.procedure == turn[place % len(turn)]:
-                place, used, last, failed, broken = place + 1, 0, entry, None, ""
-            elif entry.procedure == turn[0]:  # a new series is always opened by it
-                place, used, last, failed, broken = 1, 0, entry, None, ""
-    if failed is not None and last is not None:
-        why = f"{failed.procedure} ended in `{failed.verdict}` on {failed.day}, after {last.day}"
-        return _said(rule, state="revoked", why=why, due=failed.day.isoformat())
-    if broken:
-        return _said(rule, state="due", why=f"{broken}; the series starts again with {turn[0]}", used=used)
+            now.count(rule, entry)
+        elif entry.procedure in rule.certified_by:
+            now.certify(rule, entry)
+    first, last = rule.certified_by[0], now.last
     if last is None:
-        return _said(rule, state="never certified", why=f"{turn[0]} never passed")
-    left = max(0, rule.at_most - used)
-    why = (
-        f"{used} of {rule.at_most} {counted} tests since {last.procedure} passed on {last.day}; "
-        f"{turn[place % len(turn)]} is next"
-    )
-    return _said(rule, state="valid" if left else "due", why=why, left=left, used=used)
+        return _said(rule, state="never certified", why=f"{first} never passed")
+    if now.failed is not None:
+        why = f"{now.failed.procedure} ended in `{now.failed.verdict}` on {now.failed.day}, after {last.day}"
+        return _said(rule, state="revoked", why=why, due=now.failed.day.isoformat())
+    if now.broken:
+        why = f"{now.broken}; the series starts again with {first}"
+        return _said(rule, state="due", why=why, used=now.used)
+    left = max(0, rule.at_most - now.used)
+    following = rule.certified_by[now.place % len(rule.certified_by)]
+    counted = f"{now.used} of {rule.at_most} {' and '.join(rule.counts)} tests"
+    why = f"{counted} since {last.procedure} passed on {last.day}; {following} is next"
+    return _said(rule, state="valid" if left else "due", why=why, left=left, used=now.used)
 
 
 def _overload(rule: Overload, entries: Sequence[LogbookEntry]) -> Validity:
