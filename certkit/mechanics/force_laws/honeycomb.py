@@ -3,8 +3,9 @@
 Force on a strip of height h: F = p·w·h·min(d_e/d_y, 1), with the crush strength p (Pa), the contact width w
 of the segment it meets (m), the elastic depth d_e = d - d_p and the depth d_y at which it yields (m). What
 goes beyond d_y adds to the crushed depth d_p, which stays: energy p·w·h per metre is dissipated. It pushes
-only. Where the leg wears its flesh, both are in series: d is what the flesh leaves, whose force
-(`flesh_compression`) is the same.
+only. Where the edge of a thicker part slides into a strip, that is cut without work of this force. Where the
+leg wears its flesh, both are in series: d is what the flesh leaves, whose force (`flesh_compression`) is the
+same.
 
 Source: perfectly plastic crush at constant pressure, the idealisation by which honeycomb is specified with
 one crush strength.
@@ -83,6 +84,8 @@ class Honeycomb(ForceLaw):
         F now, N.
     flesh_depth : State
         Depth of the flesh now, m.
+    piece : State
+        Piece of the leg's surface that stood in front of it a step ago.
     """
 
     carrier: Body
@@ -100,6 +103,7 @@ class Honeycomb(ForceLaw):
     crushed: State = 0.0
     force: State = 0.0
     flesh_depth: State = 0.0
+    piece: State = -1.0
 
     @staticmethod
     @compiled
@@ -117,6 +121,7 @@ class Honeycomb(ForceLaw):
             if found < 0:
                 continue
             piece = found
+            stays, strip.piece = strip.piece == piece, piece
             x, by_z, by_angle = surface_at(now, piece, z, strip.thickness)
             yield_depth = strip.elastic_depth
             approach = x - carrier.x - strip.face_x - strip.crushed
@@ -142,7 +147,9 @@ class Honeycomb(ForceLaw):
             deep = approach - soft
             strength *= strip.height
             if deep > yield_depth:
-                totals.dissipated += strength * (deep - yield_depth)
+                if stays or deep < 2.0 * yield_depth:
+                    totals.dissipated += strength * (deep - yield_depth)
+                # Else the edge of a thicker part has slid into the strip and cut it: no work of this force.
                 strip.crushed += deep - yield_depth
                 deep = yield_depth
             force = strength * deep / yield_depth

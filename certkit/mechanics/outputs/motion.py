@@ -45,8 +45,8 @@ def recorded_motion(
             middle = (segment.top + segment.bottom) / 2
             moments.append(moment_at(leg, readings, middle, segment.part)[at])
     for body, segment in zip(leg.flesh, leg.segments, strict=False):
-        half = segment.depth / 2
-        outline = box(half, half + rig.cover, -segment.length / 2, segment.length / 2)
+        inner = rig.bone_face(segment)
+        outline = box(inner, inner + rig.cover, -segment.length / 2, segment.length / 2)
         shapes.append(Shape(name=f"flesh {len(shapes)}", kind="flesh", outline=outline))
         bodies.append(body)
     shapes += rig.moving_shapes.values()

@@ -6,7 +6,7 @@ from pathlib import Path
 from string import Template
 from typing import TYPE_CHECKING
 
-from docs.make.validation import bench, extraction, leg, tests
+from docs.make.validation import bench, extraction, leg, recorded_leg, tests
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -33,6 +33,7 @@ def validation(tell: Callable[[str], None]) -> str:
         tension=leg.tension_sentences(changed),
         members=leg.family_size(),
         family=leg.family_table(kin),
+        followed=recorded_leg.followed_table(tell),
         bumpers=bumpers,
         first_peaks=extraction.first_peaks_table(front),
         peaks=extraction.peaks_table(front.comparison) if front.comparison else "",
