@@ -58,8 +58,8 @@ def test_no_number_of_the_fitted_leg_stands_on_a_bound(task: Task) -> None:
 
 def test_what_was_fitted_says_so_and_keeps_near_to_what_the_finite_element_leg_has() -> None:
     leg = load("legform", "fe-leg").document
-    assert leg.femur.bending_stiffness.confidence == "calibrated"
-    assert "fit fe-leg" in leg.femur.bending_stiffness.source
-    assert leg.femur.bending_stiffness == pytest.approx(182, rel=0.03)
-    assert leg.tibia.bending_stiffness == pytest.approx(172, rel=0.03)
+    assert leg.parts["femur"].bending_stiffness.confidence == "calibrated"
+    assert "fit fe-leg" in leg.parts["femur"].bending_stiffness.source
+    assert leg.parts["femur"].bending_stiffness == pytest.approx(182, rel=0.03)
+    assert leg.parts["tibia"].bending_stiffness == pytest.approx(172, rel=0.03)
     assert leg.knee.parallel_stiffness == pytest.approx(128, rel=0.1)
