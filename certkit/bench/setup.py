@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from importlib.metadata import version
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from certkit._version import __version__
 from certkit.definitions.loading.library import Loaded, load, names
@@ -103,7 +103,8 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Override
         corridors={name: corridors.document for name, corridors in sets.items()},
         reference=reference.document if reference else None,
         inputs=tuple(
-            InputFile(role=role, path=item.path, sha256=item.sha256, text=item.text) for role, item in loaded
+            InputFile(role=role, path=item.path, sha256=item.sha256, text=item.text)
+            for role, item in [*loaded, *_confirmations(loaded)]
         ),
         overrides=tuple(
             Override(path=_full(role, change.path), value=change.value, was=change.was)
@@ -139,6 +140,15 @@ def _named_sets(procedure: Procedure, library: Library) -> list[str]:
     named = {c.corridor.partition("/")[0] for c in procedure.criteria if c.corridor}
     named |= {procedure.score} if procedure.score else set()
     return sorted(named & set(names("corridors", library)))
+
+
+def _confirmations(
+    loaded: Iterable[tuple[str, Loaded[BaseModel]]],
+) -> Iterable[tuple[str, Loaded[BaseModel]]]:
+    """Yield the confirmations that definitions were read with."""
+    for _, item in loaded:
+        if item.confirmation is not None:
+            yield "confirmation", cast("Loaded[BaseModel]", item.confirmation)
 
 
 def _parameters(loaded: Iterable[tuple[str, Loaded[BaseModel]]]) -> Iterable[Parameter]:

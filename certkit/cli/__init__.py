@@ -17,6 +17,7 @@ from certkit._version import __version__
 from certkit.cli import (
     calibrate_command,
     compare_command,
+    confirm_command,
     export_command,
     extract_command,
     figure_command,
@@ -66,6 +67,7 @@ app.add_typer(history_command.app, name="history", rich_help_panel=TESTS)
 app.command("extract", rich_help_panel=MODELS)(extract_command.extract)
 app.command("calibrate", rich_help_panel=MODELS)(calibrate_command.calibrate)
 app.command("study", rich_help_panel=MODELS)(study_command.study)
+app.command("confirm", rich_help_panel=DEFINITIONS)(confirm_command.confirm)
 app.command("list", rich_help_panel=DEFINITIONS)(list_command.list_)
 app.command("show", rich_help_panel=DEFINITIONS)(show_command.show)
 app.command("validate", rich_help_panel=DEFINITIONS)(validate_command.validate)

@@ -136,6 +136,12 @@ _ALL = (
     Kind("laboratory", "who tested what, when, with which sensors", "laboratory:Laboratory"),
     Kind("mapping", "how a laboratory's files become channels", "channel_mapping:Mapping"),
     Kind("logbook", "how long a certification is good for", "logbook_rules:LogbookRules"),
+    Kind(
+        "confirmation",
+        "numbers of a definition that were held against a text",
+        "confirmation:Confirmation",
+        "confirmations",
+    ),
 )
 
 KINDS = {kind.word: kind for kind in _ALL}

@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from hashlib import sha256
 from pathlib import Path
-from typing import TYPE_CHECKING, Generic, Literal, TypeVar, overload
+from typing import TYPE_CHECKING, Generic, Literal, TypeVar, cast, overload
 
 from pydantic import BaseModel
 
+from certkit.definitions.confirmation import confirmation_name
+from certkit.definitions.loading.confirmed import with_confirmation
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS, Kind, kind_of
 from certkit.definitions.loading.old_forms import modernised
@@ -27,6 +29,7 @@ from certkit.errors import DefinitionError, OldFormWarning, UsageError
 
 if TYPE_CHECKING:
     from certkit.definitions.calibration import CalibrationTask
+    from certkit.definitions.confirmation import Confirmation
     from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.extraction_case import Case
     from certkit.definitions.legform import Legform
@@ -59,7 +62,9 @@ class Loaded(Generic[D_co]):
     overrides : tuple of Change
         Values that were changed.
     remarks : tuple of str
-        Old forms and paths that were read, and what to write instead.
+        Old forms and paths that were read, and what to write instead; confirmations that hold no longer.
+    confirmation : Loaded, optional
+        By which numbers of it are verified.
     """
 
     kind: str
@@ -70,6 +75,7 @@ class Loaded(Generic[D_co]):
     text: str
     overrides: tuple[Change, ...] = ()
     remarks: tuple[str, ...] = ()
+    confirmation: Loaded[Confirmation] | None = None
 
 
 @overload
@@ -145,8 +151,25 @@ def load(
     known = kind_of(kind)
     found = find(known, name, library)
     if known.word == "legform" and not overrides:  # a procedure's check has read it before it is wanted
-        return _parsed_legform(found)
-    return parse(known, found, overrides, library)
+        return _with_its_confirmation(_parsed_legform(found), library)
+    return _with_its_confirmation(parse(known, found, overrides, library), library)
+
+
+def _with_its_confirmation(loaded: Loaded[BaseModel], library: Library) -> Loaded[BaseModel]:
+    """Let the numbers that a library's confirmation covers carry the text that was read."""
+    kind = KINDS["confirmation"]
+    name = confirmation_name(loaded.kind, loaded.name)
+    found = next((found for shelf in own_shelves(library) if (found := shelf.find(kind, name))), None)
+    if found is None or loaded.kind == kind.word:
+        return loaded
+    confirmation = parse(kind, found)
+    document, lost = with_confirmation(loaded.document, cast("Confirmation", confirmation.document))
+    return replace(
+        loaded,
+        document=document,
+        remarks=(*loaded.remarks, *lost),
+        confirmation=cast("Loaded[Confirmation]", confirmation),
+    )
 
 
 @lru_cache(maxsize=16)
@@ -202,7 +225,12 @@ def find(kind: Kind, name: str | Path, library: Library = ()) -> Found:
 
 
 def search_order(library: Library = ()) -> list[Shelf]:
-    """Return the shelves that names are looked for on, first to last.
+    """Return the shelves that names are looked for on, first to last; see `own_shelves`."""
+    return [*own_shelves(library), shipped_shelf()]
+
+
+def own_shelves(library: Library = ()) -> list[Shelf]:
+    """Return the shelves of a library.
 
     Raises
     ------
@@ -213,14 +241,16 @@ def search_order(library: Library = ()) -> list[Shelf]:
     for entry in own:
         if isinstance(entry, Path) and not entry.is_dir():
             raise UsageError(f"the library `{entry}` is no folder; check the path")
-    known = [FolderShelf(entry, _shown(entry)) if isinstance(entry, Path) else entry for entry in own]
+    known: list[Shelf] = [
+        FolderShelf(entry, _shown(entry)) if isinstance(entry, Path) else entry for entry in own
+    ]
     for shelf in known:
         if isinstance(shelf, FolderShelf) and not shelf.holds_something():
             raise UsageError(
                 f"the library `{shelf.folder}` holds no definitions; name the folder that has `procedures/`, "
                 "`corridors/` or `models/` in it, or the files themselves"
             )
-    return [*known, shipped_shelf()]
+    return known
 
 
 def shelves(library: Library) -> tuple[Path | Shelf, ...]:
