@@ -1,8 +1,9 @@
 """Clipping: a channel that ran into its amplitude class, or into an amplifier, has lost its peak.
 
 Two signs are looked for: samples at the channel amplitude class (ISO 6487), and a flat top with steep
-shoulders. A smooth peak read with few digits is flat too, but falls off by about nine digit steps within
-its own width beside the flat; a clipped one falls off by far more.
+shoulders. A smooth peak is flat too, within any band d below its top; but a parabola as wide as w within the
+band falls off by 9·d within another w beside it. A clipped top falls off by far more, whether its plateau is
+perfectly flat, toggles by a digit, carries noise or reaches the record's end.
 """
 
 from __future__ import annotations
@@ -15,8 +16,20 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_FLAT_SAMPLES = 10
-_STEEP = 50.0  # digit steps
+FLAT_SAMPLES = 10
+"""Samples that a flat top has at least."""
+STEEP = 30.0
+"""Bands that the shoulders of the larger side have to fall by; the steepest peak of a shipped run has 20."""
+STEEP_SMALLER = 90.0
+"""The same for the smaller side; a swing of two humps has 27 there in a shipped run."""
+SMALLER = 0.2
+"""Share of the largest size that the smaller side has to reach to be looked at."""
+BANDS = 10.0 ** np.linspace(-4.5, -2.0, 11)
+"""Heights of the band below the top, as shares of the channel's whole swing."""
+SHOULDER = 0.02
+"""Share of the channel's whole swing that the shoulders have to fall by: the waves of filtered noise do not."""
+_BESIDE = 0.25
+"""Share of the flat's width that has to be recorded beside it to be a shoulder."""
 
 
 @dataclass(frozen=True)
@@ -41,43 +54,66 @@ def find_clipping(values: NDArray[np.float64], amplitude_class: float | None = N
     -------
     Clipping or None
     """
-    if values.size < 2 * _FLAT_SAMPLES:
+    if values.size < 2 * FLAT_SAMPLES:
         return None
     if amplitude_class is not None:
         over = np.abs(values) >= 0.9995 * amplitude_class
         both = np.flatnonzero(over[1:] & over[:-1])
         if both.size:
             return Clipping(float(values[np.argmax(np.abs(values))]), int(both[0]))
-    for level in (float(values.max()), float(values.min())):
-        index = _flat_top(values, level)
+    largest = float(np.abs(values).max())
+    for sign in (1.0, -1.0):
+        side = sign * values
+        top = float(side.max())
+        if top <= 0 or top < SMALLER * largest:
+            continue
+        index = _flat_top(side, STEEP if top == largest else STEEP_SMALLER)
         if index is not None:
-            return Clipping(level, index)
+            return Clipping(sign * top, index)
     return None
 
 
-def _flat_top(values: NDArray[np.float64], level: float) -> int | None:
-    """Return where a flat top with steep shoulders begins at the extreme `level`, or None."""
-    begin, width = _longest_run(values == level)
-    if width < _FLAT_SAMPLES or begin < width or begin + 2 * width > values.size:
-        return None
+def _flat_top(values: NDArray[np.float64], steep: float) -> int | None:
+    """Return where a flat top with steep shoulders begins, or None."""
+    peak = int(values.argmax())
+    top, swing = float(values[peak]), float(np.ptp(values))
     steps = np.abs(np.diff(values))
-    steps = steps[steps > 0]
-    if not steps.size:
+    steps = steps[steps > 1e-9 * swing]
+    digit = float(steps.min()) if steps.size else 0.0
+    bands = [share * swing for share in BANDS if share * swing > 2.5 * digit]
+    # Values with few digits: one step below the top, however few bands are left.
+    for band in [*([1.5 * digit] if 1.5 * digit < BANDS[-1] * swing else []), *bands]:
+        outside = np.flatnonzero(values < top - band)
+        cut = int(np.searchsorted(outside, peak))
+        begin = int(outside[cut - 1]) + 1 if cut > 0 else 0
+        end = int(outside[cut]) if cut < outside.size else values.size
+        width = end - begin
+        if width < FLAT_SAMPLES:
+            continue
+        falls = [
+            _fall(top, values[:begin][::-1], width),
+            _fall(top, values[end:], width),
+        ]
+        known = [fall for fall in falls if fall is not None]
+        if known and min(known) > max(steep * band, SHOULDER * swing):
+            return begin
+    return None
+
+
+def _fall(top: float, beside: NDArray[np.float64], width: int) -> float | None:
+    """Return how far a shoulder falls within the flat's width; None where too little of it was recorded.
+
+    Parameters
+    ----------
+    top : float
+    beside : ndarray, shape (n,)
+        Samples beside the flat, nearest first.
+    width : int
+        Samples of the flat.
+    """
+    count = min(beside.size, width)
+    if count < max(1, _BESIDE * width):
         return None
-    digit = float(steps.min())
-    shoulders = min(
-        abs(level - float(values[begin - width])), abs(level - float(values[begin + 2 * width - 1]))
-    )
-    # Noise-free records have vanishing steps somewhere; a real shoulder is also a part of the whole swing.
-    swing = float(values.max() - values.min())
-    return begin if shoulders > max(_STEEP * digit, 0.02 * swing) else None
-
-
-def _longest_run(flags: NDArray[np.bool_]) -> tuple[int, int]:
-    """Return begin and length of the longest run of true."""
-    edges = np.flatnonzero(np.diff(np.concatenate(([False], flags, [False])).astype(np.int8)))
-    begins, ends = edges[::2], edges[1::2]
-    if not begins.size:
-        return 0, 0
-    longest = int(np.argmax(ends - begins))
-    return int(begins[longest]), int(ends[longest] - begins[longest])
+    # What a parabola would fall within the samples that there are, brought to the whole width.
+    share = 9.0 / (1.0 + 2.0 * count / width) ** 2
+    return float(top - beside[count - 1]) * share

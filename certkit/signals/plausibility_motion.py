@@ -1,0 +1,183 @@
+"""Whether a channel moves as its neighbours on the same leg do: dead, frozen, turned, scaled channels.
+
+Every check compares what one sensor shows with what the others show of the same blow. Values are filtered
+and run from contact on.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from numpy.typing import NDArray
+
+MOVED = 0.10
+"""Share of the amplitude class that the middle one of the neighbours has to reach for a blow to count (40 N·m);
+below it, a channel that stands still proves nothing."""
+DEAD = 0.01
+"""Share of the amplitude class below which a channel does not move (4 N·m, 0.3 mm): the smallest peak of a
+graded channel in a shipped run is 4.2 mm, 48 N·m."""
+REST = 2.0
+"""Times the swing at rest that a channel has to swing after contact to show more than its own noise."""
+WINDOW = 0.010
+"""Seconds over which a channel is looked at for standing still."""
+FROZEN = 0.01
+"""Share of its own swing that a frozen channel moves at most within the window; the stillest of the shipped
+runs moves by 2.5 %."""
+NEIGHBOURS_MOVE = 0.20
+"""Share of their swing that the middle one of the neighbours moves meanwhile."""
+TURNED = -0.5
+"""Correlation with the other gauges of the bone below which one is turned; the shipped runs have 0.66 and more."""
+SHORTENED = 0.002
+"""Metres that a ligament has to be shorter to move the wrong way; the shipped runs show up to 3.1 mm beside
+an elongation of 27 mm."""
+WRONG_WAY = 1.5
+"""Times the elongation that the shortening has to be."""
+FACTOR = 10**0.6
+"""Factor against its neighbours from which on a unit is out by a power of ten; the shipped runs, the seed
+paper's Table 1 and the corridors stay within a factor of two."""
+PATTERN = 0.35
+"""Share of the largest moment by which a gauge may lie off the straight line between its neighbours; the
+shipped runs and the finite-element leg have up to 0.18."""
+
+
+def is_dead(after: NDArray[np.float64], before: NDArray[np.float64], amplitude_class: float) -> bool:
+    """Tell whether a channel shows nothing of the blow.
+
+    Parameters
+    ----------
+    after, before : ndarray, shape (n,), (m,)
+        From contact on, and at rest (may be empty).
+    amplitude_class : float
+    """
+    swing = float(np.ptp(after)) if after.size else 0.0
+    if swing < DEAD * amplitude_class:
+        return True
+    return bool(before.size) and swing <= REST * float(np.ptp(before))
+
+
+def blow(others: Mapping[str, float]) -> bool:
+    """Tell whether the neighbours show a blow: their middle peak, as a share of the amplitude class."""
+    return bool(others) and float(np.median(list(others.values()))) > MOVED
+
+
+def activity(values: NDArray[np.float64], interval: float) -> NDArray[np.float64]:
+    """Return how far a channel moves within each window of 10 ms, as a share of its swing.
+
+    Parameters
+    ----------
+    values : ndarray, shape (n,)
+    interval : float
+        Seconds between samples.
+
+    Returns
+    -------
+    ndarray, shape (k,)
+        Every quarter of a window; empty for a record shorter than one.
+    """
+    length = max(2, round(WINDOW / interval))
+    swing = float(np.ptp(values)) if values.size else 0.0
+    if values.size < length or swing == 0.0:
+        return np.zeros(0 if values.size < length else (values.size - length) // max(1, length // 4) + 1)
+    windows = np.lib.stride_tricks.sliding_window_view(values, length)[:: max(1, length // 4)]
+    found: NDArray[np.float64] = (windows.max(axis=1) - windows.min(axis=1)) / swing
+    return found
+
+
+def frozen_from(
+    own: NDArray[np.float64], others: NDArray[np.float64], levels: NDArray[np.bool_] | None = None
+) -> int | None:
+    """Return the first window in which a channel stands still while its neighbours move, or None.
+
+    Parameters
+    ----------
+    own : ndarray, shape (k,)
+        From `activity`.
+    others : ndarray, shape (m, k)
+        Of the neighbours.
+    levels : ndarray of bool, shape (k,), optional
+        Windows that count; a slack ligament stands still at zero and is not frozen.
+    """
+    if others.shape[0] < 2 or not own.size:
+        return None
+    still = (own < FROZEN) & (np.median(others, axis=0) > NEIGHBOURS_MOVE)
+    if levels is not None:
+        still &= levels
+    found = np.flatnonzero(still)
+    return int(found[0]) if found.size else None
+
+
+def turned_gauges(bone: Mapping[str, NDArray[np.float64]]) -> dict[str, float]:
+    """Return gauges of one bone that move against the others, with the middle one of their correlations.
+
+    Parameters
+    ----------
+    bone : mapping of str to ndarray, shape (n,)
+        By channel; two gauges are needed, and channels without any movement take no part.
+    """
+    moving = {name: values for name, values in bone.items() if values.size > 1 and np.ptp(values) > 0}
+    if len(moving) < 2:
+        return {}
+    table = np.corrcoef(np.stack(list(moving.values())))
+    found = {}
+    for row, name in enumerate(moving):
+        middle = float(np.median(np.delete(table[row], row)))
+        if middle < TURNED:
+            found[name] = middle
+    return found
+
+
+def moves_wrong_way(values: NDArray[np.float64], times: float = WRONG_WAY) -> bool:
+    """Tell whether a ligament that a blow lengthens is shortened instead, m."""
+    if not values.size:
+        return False
+    shorter, longer = -float(values.min()), max(float(values.max()), 0.0)
+    return shorter > SHORTENED and shorter > times * longer
+
+
+def off_by_powers(peaks: Mapping[str, float], usual: Mapping[str, float]) -> dict[str, int]:
+    """Return channels that are out by a power of ten against their neighbours, with that power.
+
+    Parameters
+    ----------
+    peaks : mapping of str to float
+        Largest sizes, of one dimension.
+    usual : mapping of str to float
+        What they usually are to each other; channels without an entry take no part.
+    """
+    logs = {name: math.log10(peaks[name] / usual[name]) for name in usual if peaks.get(name, 0.0) > 0}
+    if len(logs) < 3:
+        return {}
+    found = {}
+    for name, own in logs.items():
+        others = [value for other, value in logs.items() if other != name]
+        off = own - float(np.median(others))
+        if abs(off) > math.log10(FACTOR):
+            found[name] = round(off) or (1 if off > 0 else -1)
+    return found
+
+
+def off_the_line(
+    before: NDArray[np.float64], gauge: NDArray[np.float64], behind: NDArray[np.float64]
+) -> tuple[float, int] | None:
+    """Return how far a gauge lies off the line between its neighbours where that is more than a leg can show.
+
+    Between gauges 80 mm apart the moment departs from a straight line by q·h²/2 only, with the line load q of
+    contact and inertia.
+
+    Returns
+    -------
+    (float, int) or None
+        Share of the three gauges' largest moment, and the sample.
+    """
+    largest = max(float(np.abs(values).max()) for values in (before, gauge, behind))
+    if largest == 0.0:
+        return None
+    off = np.abs(gauge - (before + behind) / 2) / largest
+    at = int(off.argmax())
+    return (float(off[at]), at) if off[at] > PATTERN else None

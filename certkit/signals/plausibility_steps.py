@@ -1,0 +1,60 @@
+"""Drop-outs and overflows: steps from one sample to the next that no leg and no filter lets through."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+CORNER = 300.0
+"""Hertz that a filter of class 180 lets through (ISO 6487); what a criterion is measured on holds no more."""
+NOISE_FACTOR = 8.0
+"""Standard deviations of the noise that a step may have on top; among 1e6 samples none has eight."""
+LIGAMENT_SPEED = 11.1
+"""Metres a second: the speed of every impact. No ligament is lengthened faster than the leg is hit (the
+steepest flank of a shipped run has 3.7)."""
+
+
+def steepest(amplitude_class: float) -> float:
+    """Return the largest rate that a bending moment can have, N·m/s.
+
+    It is that of a swing over the whole amplitude class A at the corner frequency f of CFC 180:
+    2 π f · A/2, 377 N·m/ms for 400 N·m. The steepest flank of a shipped run has 118 N·m/ms.
+    """
+    return math.pi * CORNER * amplitude_class
+
+
+def noise_of_steps(values: NDArray[np.float64]) -> float:
+    """Return the standard deviation of a step that noise alone makes, from the median second difference.
+
+    For white noise of deviation s, steps have s·√2 and second differences s·√6; the median of their size is
+    0.6745 of their deviation and does not see a few large ones.
+    """
+    if values.size < 3:
+        return 0.0
+    return float(np.median(np.abs(np.diff(values, 2)))) / 0.6745 / math.sqrt(3.0)
+
+
+def impossible_step(values: NDArray[np.float64], interval: float, rate: float) -> int | None:
+    """Return where the largest impossible step ends, or None when all steps are possible.
+
+    Parameters
+    ----------
+    values : ndarray, shape (n,)
+        Not filtered.
+    interval : float
+        Seconds between samples.
+    rate : float
+        Largest possible rate, in the unit of the values per second.
+    """
+    if values.size < 2:
+        return None
+    steps = np.abs(np.diff(values))
+    at = int(steps.argmax())
+    if steps[at] <= rate * interval:  # the quick way out: nearly every channel leaves here
+        return None
+    return at + 1 if steps[at] > rate * interval + NOISE_FACTOR * noise_of_steps(values) else None
