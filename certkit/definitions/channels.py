@@ -73,6 +73,10 @@ class ChannelKind:
         Channel amplitude class (ISO 6487), SI: the channel clips there.
     sign : {1, -1, 0}
         Sign of its largest value in a certification test; 0 where it may have either.
+    part : str
+        Of a bending moment: the part it is measured in, which its neighbours share.
+    usual : float, optional
+        What it usually shows beside the others of its dimension, SI.
     """
 
     name: str
@@ -81,6 +85,8 @@ class ChannelKind:
     codes: tuple[str, ...] = ()
     amplitude_class: float | None = None
     sign: int = 0
+    part: str = ""
+    usual: float | None = None
 
 
 RIG_CHANNELS = (

@@ -93,10 +93,21 @@ class Legform(Section):
             for level, names in known.amplitude_classes.items()
             for name in names
         }
+        usual = {
+            name: parse_quantity(text, self.channels[name].kind.quantity)
+            for name, text in known.usual_peaks.items()
+        }
         signs = {**dict.fromkeys(known.positive, 1), **dict.fromkeys(known.negative, -1)}
         kinds = {
             name: ChannelKind(
-                name, channel.title, channel.kind, tuple(channel.codes), classes.get(name), signs.get(name, 0)
+                name,
+                channel.title,
+                channel.kind,
+                tuple(channel.codes),
+                classes.get(name),
+                signs.get(name, 0),
+                channel.part or "",
+                usual.get(name),
             )
             for name, channel in self.channels.items()
         }
@@ -185,6 +196,15 @@ class Legform(Section):
                 if name not in allowed:
                     message = f"no channel is called `{name}`; {suggestion(name, allowed)}"
                     yield ("evaluation", *steps, index), message
+        for name, text in known.usual_peaks.items():
+            if name not in self.channels:
+                message = f"no channel is called `{name}`; {suggestion(name, self.channels)}"
+                yield ("evaluation", "usual peaks", name), message
+                continue
+            try:
+                parse_quantity(text, self.channels[name].kind.quantity)
+            except (ValueError, KeyError) as error:
+                yield ("evaluation", "usual peaks", name), str(error)
         for level, names in known.amplitude_classes.items():
             for name in (name for name in names if name in self.channels):
                 try:

@@ -98,6 +98,12 @@ class Evaluation(Sourced):
     amplitude_classes: Annotated[
         dict[str, list[str]], Field(description="Where channels clip: `400 N·m: [T1, T2]`.")
     ] = {}
+    usual_peaks: Annotated[
+        dict[str, str],
+        Field(
+            description="What channels usually show beside each other, to tell a wrong unit: `T1: 254 N·m`."
+        ),
+    ] = {}
 
     def lines(self) -> dict[str, str]:
         """Return the amplitude classes; the rest is words."""

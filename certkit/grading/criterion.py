@@ -127,7 +127,17 @@ def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Ju
     if missing is not None or held.value is None:
         reason = held.reason or (None if missing is None else missing.reason)
         given = uncertainty if uncertainty != Uncertainty() else None
-        return CriterionResult(verdict="not evaluated", coded_reason=reason, uncertainty=given, **shown)
+        return CriterionResult(
+            verdict="not evaluated", coded_reason=measured.doubt or reason, uncertainty=given, **shown
+        )
+    if measured.doubt is not None:
+        return CriterionResult(
+            verdict="not evaluated",
+            coded_reason=measured.doubt,
+            lower=_scaled(held.lower, scale),
+            upper=_scaled(held.upper, scale),
+            **shown,
+        )
     decision = decide(judgement.rule, held.value, held.lower, held.upper, judgement.expanded.get(channel))
     verdict, reason = decision.verdict, decision.reason
     margin = _scaled(decision.margin, scale)

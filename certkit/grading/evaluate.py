@@ -15,10 +15,11 @@ from certkit.grading.grading_terms import (
     LaboratoryTerms,
     SimulatedTerms,
 )
+from certkit.grading.interval_edge import interval_edge
 from certkit.grading.overall_verdict import overall
 from certkit.grading.preconditions import grade_preconditions
 from certkit.grading.reference_errors import compare
-from certkit.grading.remarks import remarks
+from certkit.grading.remarks import assumptions, remarks
 from certkit.grading.result_notes import result_notes
 from certkit.grading.scores import procedure_scores
 
@@ -83,6 +84,7 @@ def evaluate(
         quality=simulated.quality,
         parameters=terms.parameters,
         comparison=comparison,
+        oddities=[*assumptions(recording), *measured.remarks, *interval_edge(measured, criteria)],
     )
     result = Result(
         kind=kind,

@@ -58,6 +58,8 @@ class MeasuredValue:
         Why there is no value.
     trace : Trace or None
         The samples, for measures that hold a whole curve against a corridor.
+    doubt : Reason or None
+        Why the value is no evidence though it could be read, from `certkit.grading.plausibility_gate`.
     """
 
     value: float | None
@@ -65,6 +67,7 @@ class MeasuredValue:
     dimension: Dimension | None
     reason: Reason | None = None
     trace: Trace | None = None
+    doubt: Reason | None = None
 
 
 @dataclass(frozen=True)
@@ -133,7 +136,7 @@ def measure(
             return MeasuredValue(None, None, dimension, interval.reason)
         window = EvaluationWindow(max(window.start, interval.start), min(window.end, interval.end))
     try:
-        trace = _trace(criterion, filtered, window)
+        trace = trace_of(criterion, filtered, window)
     except DataError as error:
         return MeasuredValue(None, None, dimension, reason_of(error))
     if criterion.measure in {"curve in polygon", "curve in band"}:
@@ -163,7 +166,7 @@ def _ordinate(criterion: Criterion) -> str:
     return name
 
 
-def _trace(criterion: Criterion, filtered: Filtered, window: EvaluationWindow) -> Trace:
+def trace_of(criterion: Criterion, filtered: Filtered, window: EvaluationWindow) -> Trace:
     """Cut the criterion's channels to the window.
 
     Raises
@@ -201,7 +204,7 @@ def _value_at(
     name = filtered.recording.table.name(criterion.at.channel)
     guide = criterion.model_copy(update={"channel": name, "curve": None})
     try:
-        path = _trace(guide, filtered, window)
+        path = trace_of(guide, filtered, window)
     except DataError as error:
         return MeasuredValue(None, None, trace.y_dimension, reason_of(error))
     level = quantity(criterion.at.equals, path.y_dimension, f"criterion {criterion.id}, `at`")

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
 from certkit.grading.measure import EvaluationWindow, MeasuredValue, NoInterval, measure
+from certkit.grading.plausibility_gate import plausible
 from certkit.reasons import Reason, reason_of
 from certkit.signals import AssessmentInterval, Filtered, assessment_interval, condition
-from certkit.signals.interval import MARGINAL_MOMENT
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -39,7 +39,9 @@ class Measurements:
     interval : AssessmentInterval or NoInterval
         Where the criteria ask for one; else a `NoInterval` without a reason.
     values : mapping of str to MeasuredValue
-        By criterion id.
+        By criterion id, as the plausibility gate left them.
+    remarks : tuple of Reason
+        What the gate found odd.
     """
 
     procedure: Procedure
@@ -48,6 +50,7 @@ class Measurements:
     window: EvaluationWindow
     interval: AssessmentInterval | NoInterval
     values: Mapping[str, MeasuredValue]
+    remarks: tuple[Reason, ...] = ()
 
     @property
     def recording(self) -> Recording:
@@ -98,7 +101,8 @@ def measure_all(procedure: Procedure, recording: Recording, *, lenient: bool = F
     interval = _interval(filtered) if needs_interval else NoInterval()
     window = _window(procedure, conditioned)
     values = {c.id: measure(c, filtered, window, interval) for c in procedure.criteria}
-    return Measurements(procedure, recording, filtered, window, interval, values)
+    gate = plausible(procedure, filtered, window, interval, values)
+    return Measurements(procedure, recording, filtered, window, interval, gate.values, gate.remarks)
 
 
 def channels_of(criterion: Criterion, table: ChannelTable) -> list[str]:
@@ -125,7 +129,6 @@ def _interval(filtered: Filtered) -> AssessmentInterval | NoInterval:
     except DataError as error:
         return NoInterval(Reason.of("no-assessment-interval", reason=reason_of(error)))
     found = assessment_interval(filtered.recording.time, moments)
-    if found is not None:
+    if isinstance(found, AssessmentInterval):
         return found
-    small = Reason.of("bone-moments-small", marginal=MARGINAL_MOMENT)
-    return NoInterval(Reason.of("no-assessment-interval", reason=small))
+    return NoInterval(Reason.of("no-assessment-interval", reason=found))

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
         Quality,
         QualityCheck,
     )
+    from certkit.signals import Recording
 
 TITLES: dict[Kind, str] = {
     "virtual certification": "model-not-legform",
@@ -35,8 +36,12 @@ def remarks(
     quality: Quality | None = None,
     parameters: Sequence[Parameter] = (),
     comparison: Comparison | None = None,
+    oddities: Sequence[Reason] = (),
 ) -> list[Reason]:
-    """Return the remarks of a result, the weightiest first."""
+    """Return the remarks of a result, the weightiest first.
+
+    `oddities` are what the recording itself gives cause to say: assumptions, patterns, a knife edge.
+    """
     said: list[Reason] = []
     if quality is not None:
         said += [_untrusted(check) for check in quality.checks if check.verdict != "pass"]
@@ -53,6 +58,7 @@ def remarks(
         for c in graded
         if c.verdict in {"not evaluated", "conditional"} and c.coded_reason is not None
     ]
+    said += oddities
     said += _confidence(graded)
     shown = [criterion.id for criterion in criteria if not criterion.graded]
     if shown and graded:
@@ -63,6 +69,24 @@ def remarks(
         said.append(_model(parameters))
     said.append(Reason.of(TITLES[kind]))
     return said
+
+
+ASSUMED = frozenset(
+    {"assumed", "left-out", "clipped-kept", "sign-turned", "questionable-data", "kind-not-said"}
+)
+"""Codes of notes on a recording that stand for something that the data themselves do not show."""
+
+
+def assumptions(recording: Recording) -> list[Reason]:
+    """Return what was assumed of a recording, so that it stands beside the verdict."""
+    said = [note for note in recording.notes if note.code in ASSUMED]
+    said += [
+        Reason.of("note-of-channel", channel=channel.name, reason=note)
+        for channel in recording.channels.values()
+        for note in channel.notes
+        if note.code in ASSUMED
+    ]
+    return [Reason.of("accepted-leniently", reason=note) for note in said]
 
 
 def _reason(row: PreconditionResult) -> Reason:

@@ -26,8 +26,12 @@ SMALLER = 0.2
 """Share of the largest size that the smaller side has to reach to be looked at."""
 BANDS = 10.0 ** np.linspace(-4.5, -2.0, 11)
 """Heights of the band below the top, as shares of the channel's whole swing."""
+NARROW = 1e-3
+"""Share of the swing up to which one steep shoulder is enough: so near its top every peak is a parabola."""
+STEEP_ALONE = 100.0
+"""Narrow bands that one shoulder has to fall by; the steepest flank of a shipped run has 25."""
 SHOULDER = 0.02
-"""Share of the channel's whole swing that the shoulders have to fall by: the waves of filtered noise do not."""
+"""Share of the channel's whole swing that the shoulders have to fall by: waves of filtered noise do not."""
 _BESIDE = 0.25
 """Share of the flat's width that has to be recorded beside it to be a shoulder."""
 
@@ -96,6 +100,9 @@ def _flat_top(values: NDArray[np.float64], steep: float) -> int | None:
         ]
         known = [fall for fall in falls if fall is not None]
         if known and min(known) > max(steep * band, SHOULDER * swing):
+            return begin
+        # A dip within the flat looks like a second, shallow shoulder; the other one still tells.
+        if known and band <= NARROW * swing and max(known) > max(STEEP_ALONE * band, SHOULDER * swing):
             return begin
     return None
 

@@ -18,7 +18,7 @@ from certkit.reasons import Reason
 from certkit.signals.clipping import find_clipping
 from certkit.signals.noise import FREE_FLIGHT_NOISE, WINDOW, free_flight
 from certkit.signals.offset import MARGIN, SHORTEST, quiet_interval, remove_offset
-from certkit.signals.polarity import is_swapped
+from certkit.signals.polarity import LOUD, is_swapped
 from certkit.signals.time_zero import TOLERANCE, first_contact, shifted
 
 if TYPE_CHECKING:
@@ -182,7 +182,8 @@ def right_way_round(recording: Recording, situation: Situation) -> Recording:
     def check(channel: Channel) -> Channel:
         kind = recording.table.kinds.get(channel.name)
         sign = kind.sign if kind else 0
-        if not is_swapped(channel.values[begin:], sign):
+        least = LOUD * (kind.amplitude_class or 0.0) if kind else 0.0
+        if not is_swapped(channel.values[begin:], sign, least=least):
             return channel
         if not situation.lenient:
             raise DataError(

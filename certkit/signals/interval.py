@@ -22,6 +22,14 @@ if TYPE_CHECKING:
 
 MARGINAL_MOMENT = 15.0
 """N·m; maxima below it do not count."""
+LOWERED_SHARE = 0.5
+"""Share of a bone's maximum by which the curves may be lowered at most. A bone that has not come down to half
+of its maximum has not ended its bending; lowering the curves to it makes an interval out of nothing. An
+estimate."""
+TURNING = 5.0
+"""N·m by which a bone that never crosses zero has to rise again after its lowest value, so that this is a low
+and not the record's end; a lowest value within it is as good as zero. Above the noise of a filtered gauge, an
+estimate."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +69,7 @@ class AssessmentInterval:
 
 def assessment_interval(
     time: NDArray[np.float64], moments: Mapping[str, NDArray[np.float64]], *, contact: float = 0.0
-) -> AssessmentInterval | None:
+) -> AssessmentInterval | Reason:
     """Find the assessment interval.
 
     Parameters
@@ -75,8 +83,9 @@ def assessment_interval(
 
     Returns
     -------
-    AssessmentInterval or None
-        None when no bone moment has a maximum beyond 15 N·m.
+    AssessmentInterval or Reason
+        Why there is none inside the record: no bone moment has a maximum beyond 15 N·m, one is still rising
+        at the record's end, or has not come down to zero, or far enough to lower the curves to it.
     """
     begin = int(np.searchsorted(time, contact))
     peaks: dict[str, int] = {}
@@ -84,14 +93,40 @@ def assessment_interval(
         peak = _first_maximum(values, begin)
         if peak is not None:
             peaks[name] = peak
+        elif values[begin:].size and float(values[begin:].max()) > MARGINAL_MOMENT:
+            value, end = float(values[-1]), float(time[-1]) * 1e3
+            return Reason.of("bone-still-rising", channel=name, value=value, end=end)
     if not peaks:
-        return None
+        return Reason.of("bone-moments-small", marginal=MARGINAL_MOMENT)
+    for name, peak in peaks.items():
+        unfinished = _unfinished(time, name, moments[name], (begin, peak))
+        if unfinished is not None:
+            return unfinished
     # Lowering all curves by the highest of their lows makes the last of them touch zero.
     shift = max(0.0, *(float(moments[name][peak:].min()) for name, peak in peaks.items()))
     ends = {name: _crossing(time, moments[name] - shift, peak) for name, peak in peaks.items()}
     last = max(ends, key=lambda name: ends[name])
     left_out = tuple(name for name in moments if name not in peaks)
     return AssessmentInterval(contact, ends[last], last, shift, left_out)
+
+
+def _unfinished(
+    time: NDArray[np.float64], name: str, values: NDArray[np.float64], span: tuple[int, int]
+) -> Reason | None:
+    """Return why a bone's first bending does not end inside the record; `span` is contact and maximum."""
+    begin, peak = span
+    at = peak + int(values[peak:].argmin())
+    low = float(values[at])
+    if low <= 0.0:
+        return None
+    highest = float(values[begin : at + 1].max())
+    turned = float(values[at:].max()) - low >= TURNING
+    if not turned and low > TURNING:
+        return Reason.of("bone-not-back-to-zero", channel=name, value=low, end=float(time[-1]) * 1e3)
+    if low > LOWERED_SHARE * highest:
+        most = 100.0 * LOWERED_SHARE
+        return Reason.of("bones-lowered-too-far", channel=name, shift=low, highest=highest, most=most)
+    return None
 
 
 def _first_maximum(values: NDArray[np.float64], begin: int) -> int | None:

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 MOVED = 0.10
-"""Share of the amplitude class that the middle one of the neighbours has to reach for a blow to count (40 N·m);
-below it, a channel that stands still proves nothing."""
+"""Share of the amplitude class that the middle one of the neighbours has to reach for a blow to count (40
+N·m). Below it, a channel that stands still proves nothing."""
 DEAD = 0.01
 """Share of the amplitude class below which a channel does not move (4 N·m, 0.3 mm): the smallest peak of a
 graded channel in a shipped run is 4.2 mm, 48 N·m."""
@@ -26,13 +26,13 @@ REST = 2.0
 """Times the swing at rest that a channel has to swing after contact to show more than its own noise."""
 WINDOW = 0.010
 """Seconds over which a channel is looked at for standing still."""
-FROZEN = 0.01
+FROZEN = 0.002
 """Share of its own swing that a frozen channel moves at most within the window; the stillest of the shipped
-runs moves by 2.5 %."""
+runs moves by 2.5 %, and a ligament that is held at its longest by a heavy upper body by 0.5 %."""
 NEIGHBOURS_MOVE = 0.20
 """Share of their swing that the middle one of the neighbours moves meanwhile."""
 TURNED = -0.5
-"""Correlation with the other gauges of the bone below which one is turned; the shipped runs have 0.66 and more."""
+"""Correlation with the bone's other gauges below which one is turned; the shipped runs have 0.66 and more."""
 SHORTENED = 0.002
 """Metres that a ligament has to be shorter to move the wrong way; the shipped runs show up to 3.1 mm beside
 an elongation of 27 mm."""
@@ -123,7 +123,7 @@ def turned_gauges(bone: Mapping[str, NDArray[np.float64]]) -> dict[str, float]:
     moving = {name: values for name, values in bone.items() if values.size > 1 and np.ptp(values) > 0}
     if len(moving) < 2:
         return {}
-    table = np.corrcoef(np.stack(list(moving.values())))
+    table = np.atleast_2d(np.corrcoef(np.stack(list(moving.values()))))
     found = {}
     for row, name in enumerate(moving):
         middle = float(np.median(np.delete(table[row], row)))

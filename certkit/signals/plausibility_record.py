@@ -24,7 +24,7 @@ EARLY_SHARE = 0.25
 """Share of the peak that a channel may show before contact or at the first sample. An estimate: offsets and
 swinging stay below, a record that begins on a flank does not."""
 EARLY_CLASS = 0.05
-"""The same as a share of the amplitude class, for channels that are hardly loaded (20 N·m; free flight: 15)."""
+"""The same as a share of the amplitude class, for channels hardly loaded (20 N·m; in free flight: 15)."""
 END_SHARE = 0.5
 """Share of the peak below which a channel has to have fallen at the record's end. Between two humps no
 graded channel of a shipped run falls below it and then rises above its first peak. An estimate."""
@@ -36,9 +36,7 @@ RISE = 0.01
 """Share of the peak by which a channel rises from one millisecond to the next to be rising, above noise."""
 
 
-def edge_of_peak(
-    values: NDArray[np.float64], index: int, interval: float
-) -> Literal["first", "last"] | None:
+def edge_of_peak(values: NDArray[np.float64], index: int, interval: float) -> Literal["first", "last"] | None:
     """Return the edge that the largest value stands at, or None when it stands out from both.
 
     Parameters

@@ -28,7 +28,9 @@ def test_its_chain_has_an_upper_body_of_seven_segments_above_the_femur():
 def test_every_gauge_of_it_is_recorded_and_its_corridors_hold(result: certkit.Result):
     wanted = {"P1", "F1", "T1", "T2", "T3", "T4", "T5", "inner", "cross", "knee pull", "contact force"}
     assert wanted <= set(result.channels.series)
-    assert {c.id: c.verdict for c in result.criteria if c.graded} == {"T5": "pass", "inner": "pass"}
+    # Its heavy upper body still bends it when the pendulum's record ends, so that no peak is known there.
+    verdict = "not evaluated" if result.procedure == "tall-pendulum" else "pass"
+    assert {c.id: c.verdict for c in result.criteria if c.graded} == {"T5": verdict, "inner": verdict}
     assert result.quality.energy_error_percent < 0.5
 
 

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from certkit.signals import assessment_interval
+from certkit.reasons import Reason
+from certkit.signals import AssessmentInterval, assessment_interval
 
 if TYPE_CHECKING:
     from support.curves import Floats
@@ -23,7 +24,7 @@ def bending(zero: float, peak: float = 200.0, back: float = -60.0) -> Floats:
 
 def test_it_ends_with_the_last_zero_crossing_of_all_bones():
     found = assessment_interval(TIME, {"T1": bending(0.030), "T2": bending(0.034), "F1": bending(0.041)})
-    assert found is not None
+    assert isinstance(found, AssessmentInterval)
     assert found.decided_by == "F1"
     assert found.start == 0
     assert found.end == pytest.approx(0.041, abs=1e-6)
@@ -33,7 +34,7 @@ def test_it_ends_with_the_last_zero_crossing_of_all_bones():
 def test_only_the_first_crossing_of_each_bone_counts():
     ringing = 100.0 * np.sin(2 * np.pi * TIME / 0.05)  # crosses at 25, 50, 75 ms
     found = assessment_interval(TIME, {"T1": ringing, "T2": bending(0.030)})
-    assert found is not None
+    assert isinstance(found, AssessmentInterval)
     assert found.end == pytest.approx(0.030, abs=1e-6)
 
 
@@ -41,13 +42,13 @@ def test_a_maximum_within_15_newton_metres_does_not_count():
     ripple = np.where(TIME < 0.01, 14.0 * np.sin(np.pi * TIME / 0.01), 0.0)
     late = np.where(TIME >= 0.01, 120.0 * np.sin(np.pi * (TIME - 0.01) / 0.03), 0.0)
     found = assessment_interval(TIME, {"T1": ripple + late})
-    assert found is not None
+    assert isinstance(found, AssessmentInterval)
     assert found.end == pytest.approx(0.040, abs=1e-5)
 
 
 def test_a_bone_that_stays_within_15_newton_metres_takes_no_part():
     found = assessment_interval(TIME, {"T1": bending(0.030), "F3": bending(0.08, peak=14.0)})
-    assert found is not None
+    assert isinstance(found, AssessmentInterval)
     assert found.end == pytest.approx(0.030, abs=1e-6)
     assert found.left_out == ("F3",)
     assert "F3" in str(found.reason)
@@ -56,7 +57,7 @@ def test_a_bone_that_stays_within_15_newton_metres_takes_no_part():
 def test_a_bone_that_never_crosses_zero_lowers_all_curves_until_it_does():
     never = 40.0 + 100.0 * np.exp(-(((TIME - 0.02) / 0.01) ** 2)) + 20.0 * ((TIME - 0.06) / 0.04) ** 2
     found = assessment_interval(TIME, {"T1": bending(0.030), "T2": never})
-    assert found is not None
+    assert isinstance(found, AssessmentInterval)
     lowest = np.argmin(never[TIME > 0.02]) + np.count_nonzero(TIME <= 0.02)
     assert found.shift == pytest.approx(never[lowest])
     assert found.decided_by == "T2"
@@ -67,7 +68,7 @@ def test_a_bone_that_never_crosses_zero_lowers_all_curves_until_it_does():
 def test_a_bone_lowered_below_zero_as_a_whole_has_crossed_at_its_maximum():
     never = 40.0 + bending(0.060, back=-10.0)
     found = assessment_interval(TIME, {"F3": bending(0.090, peak=20.0), "T2": never})
-    assert found is not None
+    assert isinstance(found, AssessmentInterval)
     assert found.decided_by == "T2"
     assert np.isfinite(found.end)
 
@@ -80,8 +81,33 @@ def test_the_curves_themselves_are_not_lowered():
 
 
 def test_no_bending_is_no_interval():
-    assert assessment_interval(TIME, {"T1": np.zeros_like(TIME)}) is None
-    assert assessment_interval(TIME, {}) is None
+    small = Reason.of("bone-moments-small", marginal=15.0)
+    assert assessment_interval(TIME, {"T1": np.zeros_like(TIME)}) == small
+    assert assessment_interval(TIME, {}) == small
+
+
+@pytest.mark.parametrize("end", [0.008, 0.012, 0.0148])
+def test_a_bone_still_rising_at_the_records_end_is_not_within_15_newton_metres(end: float):
+    inside = end >= TIME
+    moments = {"T1": bending(0.010)[inside], "F1": bending(0.030)[inside]}
+    found = assessment_interval(TIME[inside], moments)
+    assert isinstance(found, Reason)
+    assert found.code in {"bone-still-rising", "bone-not-back-to-zero"}
+
+
+def test_a_record_that_ends_before_a_bone_is_back_at_zero_has_no_interval():
+    inside = TIME <= 0.028
+    found = assessment_interval(TIME[inside], {"T1": bending(0.020)[inside], "T2": bending(0.030)[inside]})
+    assert isinstance(found, Reason)
+    assert found.code == "bone-not-back-to-zero"
+    assert found.parameters["channel"] == "T2"
+
+
+def test_the_curves_are_not_lowered_to_a_dip_on_the_way_up():
+    dip = 150.0 * np.sin(np.pi * TIME / 0.1) - 40.0 * np.exp(-(((TIME - 0.03) / 0.002) ** 2))
+    found = assessment_interval(TIME[:5000], {"T1": dip[:5000], "T2": bending(0.02)[:5000]})
+    assert isinstance(found, Reason)
+    assert found.code == "bones-lowered-too-far"
 
 
 def test_bending_before_contact_does_not_count():
@@ -89,5 +115,5 @@ def test_bending_before_contact_does_not_count():
     early = np.where(time < -0.01, 100.0 * np.sin(np.pi * (time + 0.05) / 0.04), 0.0)
     late = np.where(time > 0, 100.0 * np.sin(np.pi * time / 0.02), 0.0)
     found = assessment_interval(time, {"T1": early + late})
-    assert found is not None
+    assert isinstance(found, AssessmentInterval)
     assert found.end == pytest.approx(0.020, abs=1e-5)

@@ -1,0 +1,290 @@
+"""Channels that cannot have shown the blow: one sensor against the limits of a leg and its neighbours."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.definitions.channels import ELONGATION, MOMENT
+from certkit.errors import DataError
+from certkit.reasons import Reason
+from certkit.signals.clipping import find_clipping
+from certkit.signals.offset import MARGIN
+from certkit.signals.plausibility_motion import (
+    activity,
+    blow,
+    frozen_from,
+    is_dead,
+    moves_wrong_way,
+    off_by_powers,
+    off_the_line,
+    turned_gauges,
+)
+from certkit.signals.plausibility_steps import LIGAMENT_SPEED, impossible_step, steepest
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Mapping
+
+    from numpy.typing import NDArray
+
+    from certkit.grading.measure import EvaluationWindow
+    from certkit.signals import Channel, Filtered
+
+FILTER = "CFC 180"
+"""Filter of the channels that are compared with their neighbours, that of all criteria."""
+KEPT = ("clipped-kept", "sign-turned")
+"""Notes of a channel that was kept with --lenient though its values are no evidence."""
+FREE_LIGAMENT = 3.0
+"""Times the elongation that the shortening of a ligament without a known sign has to be to count as turned;
+ACL and PCL are shortened by shear too (1.6 times in no shipped run). An estimate."""
+SLACK = 0.05
+"""Share of its largest size below which a ligament stands still because it is slack, not frozen."""
+
+
+@dataclass(frozen=True)
+class ChannelDoubts:
+    """What is wrong with channels, and what is odd about them.
+
+    Parameters
+    ----------
+    doubts : mapping of str to Reason
+        By channel: why its values are no evidence.
+    remarks : tuple of Reason
+        What no leg should show, but no channel can be named for.
+    """
+
+    doubts: Mapping[str, Reason]
+    remarks: tuple[Reason, ...] = ()
+
+
+@dataclass(frozen=True)
+class _Leg:
+    """Bone moments and elongations of a recording, with their classes, filtered, from contact on."""
+
+    filtered: Filtered
+    window: EvaluationWindow
+
+    @cached_property
+    def channels(self) -> dict[str, Channel]:
+        """Return channels that have an amplitude class and are finite."""
+        kinds = self.filtered.recording.table.kinds
+        return {
+            name: channel
+            for name, channel in self.filtered.recording.channels.items()
+            if name in kinds
+            and kinds[name].amplitude_class is not None
+            and channel.dimension in {MOMENT, ELONGATION}
+            and channel.values.size > 1
+            and np.isfinite(channel.values).all()
+        }
+
+    @cached_property
+    def begin(self) -> int:
+        """Return the index of contact."""
+        return int(np.searchsorted(self.filtered.recording.time, 0.0))
+
+    @cached_property
+    def smooth(self) -> dict[str, NDArray[np.float64]]:
+        """Return the channels through the filter; as recorded where that cannot be."""
+        found = {}
+        for name, channel in self.channels.items():
+            try:
+                found[name] = self.filtered.values(name, FILTER)
+            except DataError:
+                found[name] = channel.values
+        return found
+
+    @cached_property
+    def after(self) -> dict[str, NDArray[np.float64]]:
+        """Return the filtered channels within the window."""
+        end = int(np.searchsorted(self.filtered.recording.time, self.window.end, side="right"))
+        return {name: values[self.begin : end] for name, values in self.smooth.items()}
+
+    def amplitude_class(self, name: str) -> float:
+        """Return a channel's amplitude class, SI."""
+        return self.filtered.recording.table.kinds[name].amplitude_class or 0.0
+
+    @cached_property
+    def peaks(self) -> dict[str, float]:
+        """Return the largest sizes within the window, SI."""
+        return {name: float(np.abs(v).max()) if v.size else 0.0 for name, v in self.after.items()}
+
+    @cached_property
+    def bones(self) -> dict[str, list[str]]:
+        """Return the gauges of each part, in the order of the legform."""
+        found: dict[str, list[str]] = {}
+        for name, kind in self.filtered.recording.table.kinds.items():
+            if kind.part and name in self.channels:
+                found.setdefault(kind.part, []).append(name)
+        return found
+
+    def blow_beside(self, name: str) -> bool:
+        """Tell whether the other bone moments show a blow."""
+        classes = self.amplitude_class
+        return blow({n: p / classes(n) for n, p in self.peaks.items() if n != name and self.moment(n)})
+
+    def moment(self, name: str) -> bool:
+        """Tell whether a channel is a bending moment."""
+        return self.channels[name].dimension == MOMENT
+
+    def at(self, index: int) -> float:
+        """Return the time of a sample, ms."""
+        return float(self.filtered.recording.time[index]) * 1e3
+
+
+def doubtful_channels(filtered: Filtered, window: EvaluationWindow) -> ChannelDoubts:
+    """Find channels of a dynamic test whose values are no evidence.
+
+    Parameters
+    ----------
+    filtered : Filtered
+        The conditioned recording.
+    window : EvaluationWindow
+        Seconds that are evaluated.
+    """
+    leg = _Leg(filtered, window)
+    doubts: dict[str, Reason] = {}
+    for check in CHECKS:
+        for name, reason in check(leg):
+            doubts.setdefault(name, reason)
+    return ChannelDoubts(doubts, tuple(_patterns(leg, doubts)))
+
+
+def _kept(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+    """Yield what --lenient kept although it is clipped or turned."""
+    for name, channel in leg.filtered.recording.channels.items():
+        yield from ((name, note) for note in channel.notes if note.code in KEPT)
+
+
+def _steps(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+    """Yield drop-outs and overflows."""
+    for name, channel in leg.channels.items():
+        rate = steepest(leg.amplitude_class(name)) if leg.moment(name) else LIGAMENT_SPEED
+        at = impossible_step(channel.values, leg.filtered.recording.interval, rate)
+        if at is not None:
+            step = float(channel.values[at] - channel.values[at - 1]) * channel.dimension.scale
+            unit = channel.dimension.unit
+            limit = rate * leg.filtered.recording.interval * channel.dimension.scale
+            yield (
+                name,
+                Reason.of("impossible-step", step=abs(step), unit=unit, time=leg.at(at), limit=limit),
+            )
+
+
+def _clipped(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+    """Yield flat tops, as recorded and through the filter, which takes noise off a plateau."""
+    for name, channel in leg.channels.items():
+        limit = leg.amplitude_class(name)
+        found = find_clipping(channel.values, limit) or find_clipping(leg.smooth[name])
+        if found is not None:
+            scale, unit = channel.dimension.scale, channel.dimension.unit
+            yield (
+                name,
+                Reason.of("clipped", level=found.level * scale, unit=unit, time=leg.at(found.index)),
+            )
+
+
+def _dead(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+    """Yield channels that do not move though the bones do."""
+    rest = int(np.searchsorted(leg.filtered.recording.time, -MARGIN))
+    for name, values in leg.after.items():
+        if is_dead(values, leg.smooth[name][:rest], leg.amplitude_class(name)) and leg.blow_beside(name):
+            channel = leg.channels[name]
+            swing = float(np.ptp(values)) * channel.dimension.scale if values.size else 0.0
+            yield name, Reason.of("channel-dead", swing=swing, unit=channel.dimension.unit)
+
+
+def _frozen(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+    """Yield channels that stand still for a while in which the others move."""
+    interval = leg.filtered.recording.interval
+    moves = {name: activity(values, interval) for name, values in leg.after.items()}
+    step = max(1, max(2, round(0.010 / interval)) // 4)
+    for name, own in moves.items():
+        if not leg.blow_beside(name):
+            continue
+        others = [moves[other] for other in moves if other != name and leg.moment(other)]
+        levels = None
+        if not leg.moment(name):
+            shown = np.abs(leg.after[name])[::step][: own.size]
+            levels = shown > SLACK * leg.peaks[name]
+        if len(others) > 1:
+            at = frozen_from(own, np.stack(others), levels)
+            if at is not None:
+                yield name, Reason.of("channel-frozen", time=leg.at(leg.begin + at * step))
+
+
+def _turned(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+    """Yield gauges that move against their neighbours, and ligaments that are shortened by a blow."""
+    for names in leg.bones.values():
+        loaded = {n: leg.after[n] for n in names if leg.peaks[n] > 0.05 * leg.amplitude_class(n)}
+        for name in turned_gauges(loaded):
+            yield name, Reason.of("gauge-turned", others=[n for n in loaded if n != name])
+    for name, values in leg.after.items():
+        if leg.moment(name) or not leg.blow_beside(name):
+            continue
+        sign = leg.filtered.recording.table.kinds[name].sign
+        wrong = moves_wrong_way(values) if sign > 0 else moves_wrong_way(values, FREE_LIGAMENT)
+        if sign >= 0 and wrong and _regulated(leg, name):
+            least, most = float(values.min()) * 1e3, float(values.max()) * 1e3
+            yield name, Reason.of("moves-wrong-way", least=least, most=most, unit="mm")
+
+
+def _regulated(leg: _Leg, name: str) -> bool:
+    """Tell whether a ligament is one that the test lengthens: it usually shows an elongation."""
+    kind = leg.filtered.recording.table.kinds[name]
+    return kind.sign > 0 or (kind.usual or 0.0) > 0
+
+
+def _units(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+    """Yield channels that are out by a power of ten."""
+    kinds = leg.filtered.recording.table.kinds
+    for dimension in (MOMENT, ELONGATION):
+        usual = {
+            name: kinds[name].usual or 0.0
+            for name, channel in leg.channels.items()
+            if channel.dimension == dimension and kinds[name].usual
+        }
+        if dimension == MOMENT and not blow({n: leg.peaks[n] / leg.amplitude_class(n) for n in usual}):
+            continue
+        for name, power in off_by_powers(leg.peaks, usual).items():
+            shown = leg.peaks[name] * leg.channels[name].dimension.scale
+            others = [other for other in usual if other != name]
+            unit = leg.channels[name].dimension.unit
+            yield (
+                name,
+                Reason.of("unit-out-by-ten", value=shown, unit=unit, factor=10.0**power, others=others),
+            )
+
+
+CHECKS: tuple[Callable[[_Leg], Iterator[tuple[str, Reason]]], ...] = (
+    _kept,
+    _steps,
+    _clipped,
+    _dead,
+    _frozen,
+    _turned,
+    _units,
+)
+"""In the order in which a channel's first fault is told."""
+
+
+def _patterns(leg: _Leg, doubts: Mapping[str, Reason]) -> Iterator[Reason]:
+    """Yield gauges that lie off the line between their neighbours by more than a leg can show."""
+    for names in leg.bones.values():
+        for before, gauge, behind in zip(names, names[1:], names[2:], strict=False):
+            three = (before, gauge, behind)
+            if any(name in doubts for name in three) or not any(leg.blow_beside(name) for name in three):
+                continue
+            found = off_the_line(*(leg.after[name] for name in three))
+            if found is not None:
+                share, at = found
+                yield Reason.of(
+                    "moment-pattern",
+                    channel=gauge,
+                    others=[before, behind],
+                    share=share,
+                    time=leg.at(leg.begin + at),
+                )
