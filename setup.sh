@@ -50,7 +50,7 @@ if [ -n "$packages" ]; then
     echo "setup.sh: installing system packages: $packages" >&2
     as_root apt-get update -qq
     # shellcheck disable=SC2086  # a list of words
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $packages >/dev/null
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $packages >/dev/null 2>&1
   else
     echo "setup.sh: missing and not mine to install: $packages (as root: apt-get install $packages)" >&2
   fi
