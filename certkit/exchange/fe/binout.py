@@ -8,17 +8,27 @@ displacement is the integral of its velocity.
 
 from __future__ import annotations
 
+import shutil
+import tempfile
+from glob import escape
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes, require_finite, require_time_axis
-from certkit.exchange.fe.histories import ContactHistory, PartHistories, PartHistory, Units, match_one
+from certkit.exchange.fe.histories import (
+    ContactHistory,
+    PartHistories,
+    PartHistory,
+    Units,
+    distinct,
+    match_one,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
-    from pathlib import Path
 
     from numpy.typing import NDArray
 
@@ -41,9 +51,22 @@ def read_binout(path: Path, units: Units, rigid_bodies: Mapping[str, RigidBodyRo
     """
     content, digest = read_bytes(path)
     source = str(path)
+    # LSDA goes on in files of this name; the reader joins them, so they belong to what was read.
+    rest = sorted(path.parent.glob(f"{escape(path.name)}%[0-9]*")) if path.suffix != ".gz" else []
+    digests = {source: digest, **{str(part): read_bytes(part)[1] for part in rest}}
     if len(content) < _LSDA_HEADER or content[0] != _LSDA_HEADER:
         raise DataError(f"{source}: this is no LSDA container; a binout starts with its header length 8")
-    reader = _open(path, source)
+    with tempfile.TemporaryDirectory(prefix="certkit-") as folder:
+        return _read(_open(path, content, rest, Path(folder), source), source, units, rigid_bodies, digests)
+
+
+def _read(
+    reader: Any,  # noqa: ANN401  # lasso ships no types
+    source: str,
+    units: Units,
+    rigid_bodies: Mapping[str, RigidBodyRows],
+    digests: dict[str, str],
+) -> PartHistories:
     tables = set(reader.read())
     if "matsum" not in tables:
         have = ", ".join(sorted(tables)) or "nothing"
@@ -69,19 +92,19 @@ def read_binout(path: Path, units: Units, rigid_bodies: Mapping[str, RigidBodyRo
         energies=_energies(binout, time, units) if "glstat" in tables else {},
         notes=tuple(notes),
         source=source,
-        files={source: digest},
+        files=digests,
     )
 
 
 def _nodes(binout: _Binout, time: Values, units: Units) -> dict[str, Values]:
-    at = binout.array("nodout", "time") * units.time
+    at = binout.times("nodout", time[-1], units.time)
     moved = binout.columns("nodout", "x_displacement") * units.length
     names = binout.legend("nodout", moved.shape[1])
     return {name: np.interp(time, at, moved[:, k]) for k, name in enumerate(names)}
 
 
 def _energies(binout: _Binout, time: Values, units: Units) -> dict[str, Values]:
-    at = binout.array("glstat", "time") * units.time
+    at = binout.times("glstat", time[-1], units.time)
     return {
         kind: np.interp(time, at, binout.array("glstat", f"{kind}_energy")) * units.energy
         for kind in ("kinetic", "internal")
@@ -89,13 +112,19 @@ def _energies(binout: _Binout, time: Values, units: Units) -> dict[str, Values]:
     }
 
 
-def _open(path: Path, source: str) -> Any:  # noqa: ANN401  # lasso ships no types
+def _open(path: Path, content: bytes, rest: list[Path], folder: Path, source: str) -> Any:  # noqa: ANN401  # lasso ships no types
+    """Open exactly these files: lasso takes brackets in a path for a pattern, and reads no `.gz`."""
     try:
         from lasso.dyna import Binout  # noqa: PLC0415  # optional, heavy
     except ImportError:
         raise DataError(f"{source}: {INSTALL}") from None
     try:
-        return Binout(str(path))
+        if path.suffix != ".gz" and str(path) == escape(str(path)):
+            return Binout(str(path))
+        for part in rest:
+            shutil.copyfile(part, folder / part.name)
+        (folder / path.name).write_bytes(content)
+        return Binout(str(folder / path.name))
     except Exception as error:  # noqa: BLE001  # whatever lasso raises, the file is what is wrong
         raise DataError(f"{source}: lasso-python cannot read it ({error}); was it cut?") from None
 
@@ -140,7 +169,19 @@ class _Binout:
                         names[int(i)] = text[width * k : width * (k + 1)].strip() or str(int(i))
         if len(ids) != count:
             raise DataError(f"{self._source}: {table} announces {len(ids)} objects and holds {count}")
-        return [names[int(i)] for i in ids]
+        known = distinct(names.items())
+        return [known[int(i)] for i in ids]
+
+    def times(self, table: str, until: float, scale: float) -> Values:
+        """Return a table's own times in seconds, which must reach those of matsum."""
+        times = self.array(table, "time") * scale
+        require_time_axis(times, f"{self._source}: {table}")
+        if times[-1] + 1.01 * float(np.diff(times).max()) < until:
+            raise DataError(
+                f"{self._source}: {table} ends at {times[-1]:g} s, matsum at {until:g} s; the file was cut "
+                "or goes on in another one: name a whole binout"
+            )
+        return times
 
 
 def _parts(
@@ -176,7 +217,7 @@ def _parts(
 
 
 def _contacts(binout: _Binout, time: Values, units: Units) -> dict[str, ContactHistory]:
-    at = binout.array("rcforc", "time") * units.time
+    at = binout.times("rcforc", time[-1], units.time)
     force = binout.columns("rcforc", "x_force") * units.force
     names = binout.legend("rcforc", force.shape[1])
     contacts: dict[str, ContactHistory] = {}

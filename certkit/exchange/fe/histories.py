@@ -6,6 +6,7 @@ Only the direction of the impact is kept (x along the car), because that is the 
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from fnmatch import fnmatchcase
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING, TypeVar
 from certkit.errors import DataError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
 
     import numpy as np
     from numpy.typing import NDArray
@@ -158,6 +159,15 @@ class PartHistories:
         return self.springs[match_one(pattern, self.springs, "spring", self.source)]
 
 
+def distinct(objects: Iterable[tuple[int, str]]) -> dict[int, str]:
+    """Return a name by id: the title, with the id behind it where several objects have the same."""
+    titles = dict(objects)
+    counts = Counter(titles.values())
+    return {
+        number: title if counts[title] == 1 else f"{title} (id {number})" for number, title in titles.items()
+    }
+
+
 def match_one(pattern: str, names: Mapping[str, T], kind: str, source: str) -> str:
     """Find the one name that a pattern such as `F1_*` means.
 
@@ -168,6 +178,12 @@ def match_one(pattern: str, names: Mapping[str, T], kind: str, source: str) -> s
     """
     if pattern in names:
         return pattern
+    twins = [name for name in names if name.startswith(f"{pattern} (id ")]
+    if twins:
+        raise DataError(
+            f"{source}: `{pattern}` is the title of {len(twins)} {kind}s; name each that is meant: "
+            f"{', '.join(twins[:6])}"
+        )
     found = [name for name in names if fnmatchcase(name, pattern)]
     if len(found) == 1:
         return found[0]

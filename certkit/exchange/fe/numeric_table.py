@@ -16,6 +16,7 @@ import numpy as np
 
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes, require_finite
+from certkit.plain_text import without_odd_characters
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -47,7 +48,8 @@ def read_table(path: Path, *, text_columns: frozenset[str] = frozenset()) -> Num
     content, digest = read_bytes(path)
     source = str(path)
     head, rows = _rows(content, source)
-    names = [" ".join(name.split()) for name in head]
+    # The converter of OpenRadioss leaves control characters in some heads.
+    names = [" ".join(plain(name).split()) for name in head]
     _refuse_repeats(names, source)
     kept = [i for i, name in enumerate(names) if name not in text_columns]
     values = _numbers([[row[i] for i in kept] for row in rows], [names[i] for i in kept], source)
@@ -64,6 +66,11 @@ def read_cells(path: Path) -> tuple[list[dict[str, str]], str]:
     names = [name.strip() for name in head]
     _refuse_repeats(names, str(path))
     return [dict(zip(names, (cell.strip() for cell in row), strict=True)) for row in rows], digest
+
+
+def plain(name: str) -> str:
+    """Return a name without characters that have no place in one."""
+    return without_odd_characters(name).replace("\N{REPLACEMENT CHARACTER}", "")
 
 
 def _rows(content: bytes, source: str) -> tuple[list[str], list[list[str]]]:

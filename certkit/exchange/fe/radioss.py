@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import DataError
+from certkit.exchange.fe.consistency import require_consistent
 from certkit.exchange.fe.histories import ContactHistory, PartHistories, PartHistory, Units, match_one
 
 if TYPE_CHECKING:
@@ -55,6 +56,8 @@ class Channels:
         Variables (`XMOM`, `MASS`, `XCG`; `FNX`, `FTX`; `DX`, `VX`) by object name.
     impulses : bool
         Whether contact channels are impulses (native file) or forces (converted CSV).
+    unread : tuple of str
+        Heads of columns that nothing is known of.
     """
 
     time: Values
@@ -65,6 +68,7 @@ class Channels:
     impulses: bool
     source: str
     digest: str
+    unread: tuple[str, ...] = ()
 
 
 def impulse_of_differences(force: Values, time: Values) -> Values:
@@ -100,7 +104,10 @@ def part_histories(
         When a part is a rigid body that the case does not describe, or a described one is not there.
     """
     source = channels.source
+    require_consistent(channels)
     notes: list[str] = []
+    if channels.unread:
+        notes.append(f"columns that are not read: {', '.join(channels.unread[:12])}")
     for name in rigid_bodies:
         match_one(name, channels.parts, "part", source)
     parts = {}

@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import require_time_axis
-from certkit.exchange.fe.numeric_table import read_table
+from certkit.exchange.fe.numeric_table import NumericTable, read_table
 from certkit.exchange.fe.radioss import Channels
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    import numpy as np
     from numpy.typing import NDArray
 
     Objects = dict[str, dict[str, NDArray[np.float64]]]
@@ -27,9 +28,35 @@ _ENERGIES = {
     "CONTACT ENERGY": "contact",
     "HOURGLASS ENERGY": "hourglass",
 }
-_OTHER_GLOBALS = frozenset({"ADDED MASS", "PERCENTAGE ADDED MASS", "INLET MASS", "OUTLET MASS"})
+_OTHER_GLOBALS = frozenset(
+    {
+        *("X-MOMENTUM", "Y-MOMENTUM", "Z-MOMENTUM", "MASS", "TIME STEP", "PLASTIC WORK"),
+        *(
+            "ADDED MASS",
+            "PERCENTAGE ADDED MASS",
+            "INLET MASS",
+            "OUTLET MASS",
+            "INLET ENERGY",
+            "OUTLET ENERGY",
+        ),
+        *(f"{kind} CONTACT ENERGY" for kind in ("ELASTIC", "FRICTIONAL", "DAMPING")),
+    }
+)
 _PART = re.compile(r"^(?P<name>.+) (?P<variable>IE|KE|[XYZ]MOM|MASS|HE|[XYZ]CG|V[XYZ]|ERODED|HEAT)$")
 _OBJECT = re.compile(r"^(?P<group>.+?) (?P<id>\d+) (?P<name>.+) (?P<variable>[A-Z]{2,3})$")
+
+
+_SHIFT = 6
+"""Columns by which some versions of the converter move what stands behind the parts (OpenRadioss)."""
+
+
+def _require_unshifted(table: NumericTable) -> None:
+    objects = [values for head, values in table.columns.items() if _OBJECT.match(head)]
+    if len(objects) > _SHIFT and not np.any(objects[:_SHIFT]) and np.any(objects[_SHIFT:]):
+        raise DataError(
+            f"{table.source}: the first {_SHIFT} columns behind the parts' are zero, as a converter "
+            "leaves them that shifts by so many: convert with a newer one, or read the native file (…T01)"
+        )
 
 
 def read_converted(path: Path) -> Channels:
@@ -51,6 +78,8 @@ def read_converted(path: Path) -> Channels:
     contacts: Objects = {}
     nodes: Objects = {}
     energies = {}
+    unread = []
+    _require_unshifted(table)
     for head, values in table.columns.items():
         if head in _OTHER_GLOBALS:
             continue
@@ -59,14 +88,19 @@ def read_converted(path: Path) -> Channels:
         elif found := _OBJECT.match(head):
             variable = found["variable"]
             owner = contacts if variable[:2] in {"FN", "FT"} else nodes if variable[0] in "DV" else None
-            if owner is not None:
+            if owner is None:
+                unread.append(head)
+            else:
                 owner.setdefault(found["name"], {})[variable] = values
         elif found := _PART.match(head):
             parts.setdefault(found["name"], {})[found["variable"]] = values
+        elif head != "time":
+            unread.append(head)
     if not parts:
         raise DataError(
             f"{path}: there are no part histories; add the parts to the solver's /TH/PART request"
         )
     return Channels(
-        time, energies, parts, contacts, nodes, impulses=False, source=table.source, digest=table.digest
-    )
+        time, energies, parts, contacts, nodes,
+        impulses=False, source=table.source, digest=table.digest, unread=tuple(unread),
+    )  # fmt: skip

@@ -20,6 +20,8 @@ import numpy as np
 
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes, require_finite, require_time_axis
+from certkit.exchange.fe.histories import distinct
+from certkit.exchange.fe.numeric_table import plain
 from certkit.exchange.fe.radioss import Channels
 
 if TYPE_CHECKING:
@@ -174,12 +176,13 @@ def _directory(records: _Records, source: str) -> _Directory:
         raise DataError(f"{source}: the directory's counts {counts[:6]} make no sense; the file is damaged")
     n_parts, n_materials, n_properties, n_subsets, n_groups, n_globals = counts
     globals_ = records.integers() if n_globals else ()
-    parts = []
+    titles, parts = [], []
     for _ in range(n_parts):
         description = records.next()
         width = _integer_at(description, -4, source)
-        parts.append((_name(description[4:44]), records.integers() if width else ()))
-        _agree(len(parts[-1][1]), width, f"part `{parts[-1][0]}`", source)
+        titles.append(_titled(description))
+        parts.append(records.integers() if width else ())
+        _agree(len(parts[-1]), width, f"part `{titles[-1][1]}`", source)
     for _ in range(n_materials + n_properties):
         records.next()
     subset_width = 0
@@ -193,12 +196,29 @@ def _directory(records: _Records, source: str) -> _Directory:
     groups = []
     for _ in range(n_groups):
         _, kind, _, n_objects, width = struct.unpack_from(">5i", records.next())
-        names = tuple(_name(records.next()[4:44]) for _ in range(n_objects))
+        objects = tuple(_titled(records.next()) for _ in range(n_objects))
         variables = records.integers() if width else ()
         _agree(len(variables), width, "a group of objects", source)
-        groups.append(_Group(kind, names, variables))
+        groups.append((kind, objects, variables))
     _agree(len(globals_), n_globals, "the global variables", source)
-    return _Directory(globals_, tuple(parts), subset_width, tuple(groups))
+    names = distinct(titles)
+    if len(names) < len(titles):
+        raise DataError(f"{source}: two parts have one id; the file is damaged: write it again")
+    return _Directory(
+        globals_,
+        tuple((names[number], variables) for (number, _), variables in zip(titles, parts, strict=True)),
+        subset_width,
+        tuple(_named_groups(groups)),
+    )
+
+
+def _named_groups(
+    groups: list[tuple[int, tuple[tuple[int, str], ...], tuple[int, ...]]],
+) -> Iterator[_Group]:
+    """Name the objects of groups; one title of several nodes or contacts gets their ids."""
+    for kind, objects, variables in groups:
+        known = distinct(each for other, listed, _ in groups if other == kind for each in listed)
+        yield _Group(kind, tuple(known[number] for number, _ in objects), variables)
 
 
 def _instants(
@@ -224,8 +244,9 @@ def _instants(
     return data[:, 0], data[:, 1:]
 
 
-def _name(raw: bytes) -> str:
-    return raw.decode("latin-1").strip()
+def _titled(description: bytes) -> tuple[int, str]:
+    """Return the id and the title of a part, node or contact."""
+    return struct.unpack_from(">i", description)[0], plain(description[4:44].decode("latin-1")).strip()
 
 
 def _integer_at(record: bytes, at: int, source: str) -> int:
