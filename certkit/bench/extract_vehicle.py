@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from certkit.bench.front_checks import PROCEDURE, self_checks
 from certkit.definitions.loading.library import load
-from certkit.exchange.fe.reading import data_folder
+from certkit.exchange.fe.reading import data_folder, read_case_data
 from certkit.identification.five_steps import extract as identify
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ def extract(
     data: str | Path | None = None,
     name: str | None = None,
     overrides: Overrides | None = None,
+    procedure: str | Path | None = PROCEDURE,
     tell: Callable[[str], None] = lambda _: None,
 ) -> ExtractionResult:
     """Extract a lumped vehicle front by momentum and impulse; see `certkit.identification.five_steps`.
@@ -36,6 +38,8 @@ def extract(
         What the vehicle is called; as in the case when missing.
     overrides : mapping, optional
         Values of the case to change, by their paths.
+    procedure : str or Path, optional
+        Which leg hits the front in the self-checks, and how; None leaves them out.
     tell : callable, optional
         Told what is being done.
 
@@ -55,10 +59,17 @@ def extract(
     changes = {**(overrides or {}), **({"vehicle": name} if name else {})}
     loaded = load("case", path, overrides=changes)
     folder = Path(data) if data is not None else data_folder(loaded.document.histories, path.parent)
-    return identify(
+    tell("reading histories")
+    read = read_case_data(loaded.document.histories, folder)
+    result = identify(
         loaded.document,
         folder,
         case_folder=path.parent,
         case_digest={path.name: loaded.sha256},
         progress=tell,
+        data=read,
     )
+    if procedure is None:
+        return result
+    checks = self_checks(loaded.document, read, result, procedure=procedure, tell=tell)
+    return result.model_copy(update={"checks": checks}).with_id()

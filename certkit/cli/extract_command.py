@@ -10,9 +10,13 @@ import typer
 from certkit.cli import options  # noqa: TC001  # typer reads annotations
 
 if TYPE_CHECKING:
-    from certkit.identification import ExtractionResult
+    from certkit.documents.extraction import ExtractionResult, SelfCheck
 
 DEFAULT_FORMATS = "html,pdf"
+DEFAULT_PROCEDURE = "vehicle-fe-front"
+
+NOT_CLOSED, NOT_TRUSTED = 1, 3
+"""Exit codes: the impulse of some path does not close; a self-check misses its limit."""
 
 
 def extract(
@@ -24,6 +28,16 @@ def extract(
         Path | None, typer.Option("--data", metavar="DIR", help="Take the histories from here, same layout.")
     ] = None,
     name: Annotated[str | None, typer.Option("--name", help="Call the vehicle this.")] = None,
+    procedure: Annotated[
+        str,
+        typer.Option("--procedure", metavar="NAME|FILE", help="Which leg hits the front in the self-checks."),
+    ] = DEFAULT_PROCEDURE,
+    checks: Annotated[
+        bool, typer.Option("--checks/--no-checks", help="Hold the front, the leg and both to the run.")
+    ] = True,
+    unclosed: Annotated[
+        bool, typer.Option("--unclosed", help="Write the vehicle though the impulse does not close.")
+    ] = False,
     out: options.Out = None,
     formats: options.Formats = DEFAULT_FORMATS,
     overrides: options.Overrides = None,
@@ -33,8 +47,12 @@ def extract(
     """Extract a lumped vehicle from finite-element histories, by momentum and impulse.
 
     Writes the vehicle document, the extraction result and a report with the force, shortening and stiffness
-    of every load path. Use the vehicle with `certkit run --procedure vehicle --set
-    vehicle=FOLDER/vehicle.yaml`.
+    of every load path. The front alone, the leg alone and both together are then held to the run. Use the
+    vehicle with `certkit run --procedure vehicle --set vehicle=FOLDER/vehicle.yaml`.
+
+    Exit codes: 0 the impulse closes and the front moves as in its run; 1 the impulse of a path does not
+    close (then no vehicle is written, unless with `--unclosed`); 2 wrong usage or data; 3 a self-check is
+    off by more than the case's limit, so that the vehicle cannot be trusted.
     """
     from certkit.bench.extract_vehicle import extract as extract_vehicle  # noqa: PLC0415  # numpy waits
     from certkit.bench.render_documents import render, reports_of  # noqa: PLC0415  # likewise
@@ -47,8 +65,11 @@ def extract(
         data=data,
         name=name,
         overrides=overrides_from(overrides or ()),
+        procedure=procedure if checks else None,
         tell=(lambda _: None) if quiet or as_json else (lambda what: typer.echo(what, err=True)),
     )
+    if not result.closed and not unclosed:
+        result = result.model_copy(update={"vehicle": None}).with_id()
     target = out or Path("runs") / result.case
     render(result, target, wanted)
     if as_json:
@@ -57,6 +78,40 @@ def extract(
         _show(result, target)
     for warning in result.warnings:
         typer.echo(f"warning: {warning}", err=True)
+    if not result.closed:
+        typer.echo("the impulse does not close on every path, see the warnings", err=True)
+        raise typer.Exit(NOT_CLOSED)
+    missed = [check for check in result.checks if check.within is False]
+    for check in missed:
+        typer.echo(f"cannot be trusted: {_sentence(check)}", err=True)
+    if missed:
+        raise typer.Exit(NOT_TRUSTED)
+
+
+def _sentence(check: SelfCheck) -> str:
+    """Say what a self-check found, the worst group first."""
+    said = []
+    if check.worst_percent is not None:
+        worst = next(group for group in check.groups if group.rms_percent == check.worst_percent)
+        said.append(
+            f"{worst.name} moves {1e3 * worst.peak:.0f} mm, in the run {1e3 * worst.run_peak:.0f} mm "
+            f"({worst.rms_percent:.0f} % rms); faces in the mean {check.mean_percent:.0f} %"
+        )
+    for what, value in (
+        ("contact force", check.force_percent),
+        ("impulse", check.impulse_percent),
+        ("rebound speed", check.rebound_percent),
+    ):
+        if value is not None:
+            said.append(f"{what} {value:+.1f} %")
+    if check.wrong_group_percent is not None:
+        said.append(f"impulse on another group {check.wrong_group_percent:.1f} %")
+    if check.channels:
+        channel = check.channels[0]
+        said.append(f"worst curve {channel.name}, {channel.rms_percent:.0f} % rms")
+        channel = max(check.channels, key=lambda c: abs(c.error_percent))
+        said.append(f"worst peak {channel.name}, {channel.error_percent:+.1f} %")
+    return f"{check.title}: {'; '.join(said)}"
 
 
 def _show(result: ExtractionResult, target: Path) -> None:
@@ -83,6 +138,8 @@ def _show(result: ExtractionResult, target: Path) -> None:
             f"{material.rms_percent:.1f} % rms, "
             f"{material.mean_percent:+.1f} % in the mean against the material's curve"
         )
+    for check in result.checks:
+        typer.echo(_sentence(check))
     typer.echo(f"look at {target / 'extraction.html'}", err=True)
     if result.vehicle:
         typer.echo(f"use it: certkit run vehicle --set vehicle={target / 'vehicle.yaml'}", err=True)

@@ -62,6 +62,13 @@ class HistoryFiles(Section):
     table: Annotated[str | None, Field(description="CSV with mass and face of each part, by `group`.")] = None
     outlines: Annotated[str | None, Field(description="JSON with the front's outlines (x, z) in mm.")] = None
 
+    node_motion: Annotated[
+        str | None,
+        Field(
+            description="CSV of time_ms, node, line, x_mm, z_mm; without it `animation*.csv` if there is one."
+        ),
+    ] = None
+
     @model_validator(mode="after")
     def _mapped(self) -> HistoryFiles:
         if self.format == "tidy csv" and not self.parts:
@@ -125,6 +132,13 @@ class Settings(Section):
         None
     )
     until: Annotated[Time | None, Field(description="Only histories up to here are used.")] = None
+    movement_limit: Annotated[
+        float,
+        Field(gt=0, le=1000, description="Per cent of its largest movement by which a face may err (rms)."),
+    ] = 50.0
+    check_until: Annotated[
+        Time | None, Field(description="End of the self-checks from the run's start; 45 ms when missing.")
+    ] = None
     closure_limit: Annotated[
         float, Field(gt=0, le=100, description="Per cent of a path's impulse above which it is warned of.")
     ] = 2.0

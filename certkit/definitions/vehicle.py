@@ -11,8 +11,27 @@ from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.provenance import Damping, Force, Length, Mass, Ratio, Stiffness
 
 
+class FaceOutline(Section):
+    """The line of a face while it is pushed in: points [x, height above the ground]."""
+
+    at: Annotated[Length, Field(description="Displacement of the group.")]
+    points: Annotated[list[tuple[Length, Length]], Field(min_length=2, max_length=200)]
+
+
+class ReturningOutline(Section):
+    """The line of a face while it comes back from its largest displacement, the one of the last outline."""
+
+    share: Annotated[Ratio, Field(description="Displacement of the group over its largest.")]
+    points: Annotated[list[tuple[Length, Length]], Field(min_length=2, max_length=200)]
+
+
 class Group(Section):
-    """A lumped part of the front. Heights are above the ground; x grows into the car."""
+    """A lumped part of the front. Heights are above the ground; x grows into the car.
+
+    A face is flat (`low`, `high`, `position`, `slope`) and moves as a whole with its group, or it has
+    `outlines`: where each of its points stands at several displacements of the group while it is pushed in,
+    and `springing back`, with the largest displacement of `outlines`, while it comes back.
+    """
 
     kind: Literal["fascia", "hood", "engine room"]
     mass: Mass
@@ -22,6 +41,8 @@ class Group(Section):
     low: Annotated[Length | None, Field(description="Lower end of the face; none: never touched.")] = None
     high: Annotated[Length | None, Field(description="Upper end of the face.")] = None
     slope: Annotated[Ratio | None, Field(description="dx/dz of the face.")] = None
+    outlines: Annotated[list[FaceOutline], Field(max_length=100)] = []
+    springing_back: Annotated[list[ReturningOutline], Field(max_length=100)] = []
 
     @model_validator(mode="after")
     def _whole(self) -> Self:
@@ -31,6 +52,21 @@ class Group(Section):
             faults.append(((), "a face has low, high and position; give all three, or none"))
         if self.low is not None and self.high is not None and self.high <= self.low:
             faults.append((("high",), "`high` is not above `low`; swap them"))
+        if self.springing_back and not self.outlines:
+            faults.append((("springing back",), "a face that springs back needs `outlines` first"))
+        for name, places, lines in (
+            ("outlines", [float(o.at) for o in self.outlines], [o.points for o in self.outlines]),
+            (
+                "springing back",
+                [float(o.share) for o in self.springing_back],
+                [o.points for o in self.springing_back],
+            ),
+        ):
+            for k, points in enumerate(lines):
+                if self.outlines and len(points) != len(self.outlines[0].points):
+                    faults.append(((name, k, "points"), "every outline of a face has the same points"))
+                if k > 0 and places[k] <= places[k - 1]:
+                    faults.append(((name, k), "outlines have to stand in rising order"))
         if faults:
             raise Faults(faults)
         return self
@@ -94,6 +130,38 @@ class Spring(Section):
         return self
 
 
+class FrontSheet(Section):
+    """What a folding sheet passes on between two neighbouring groups; it pushes and pulls.
+
+    Its force is no function of the shortening alone. Along the path of the recorded run both follow the
+    progress, the mean displacement of the two groups: `path` holds [progress, shortening, force] while they
+    are pushed in, `springing back` [share of the largest progress, shortening, force] that the way back adds
+    to the values at the largest progress. Off that path `stiffness` and `damping` act.
+    """
+
+    between: Annotated[list[str], Field(min_length=2, max_length=2)]
+    path: Annotated[list[tuple[Length, Length, Force]], Field(min_length=2, max_length=500)]
+    springing_back: Annotated[list[tuple[Ratio, Length, Force]], Field(max_length=500)] = []
+    stiffness: Stiffness
+    damping: Damping
+
+    @model_validator(mode="after")
+    def _rising(self) -> Self:
+        faults: list[Fault] = []
+        for name, places in (
+            ("path", [float(p[0]) for p in self.path]),
+            ("springing back", [float(p[0]) for p in self.springing_back]),
+        ):
+            faults += [
+                ((name, k), "the first numbers have to rise from point to point")
+                for k in range(1, len(places))
+                if places[k] <= places[k - 1]
+            ]
+        if faults:
+            raise Faults(faults)
+        return self
+
+
 class Vehicle(Section):
     """A car front as the leg meets it."""
 
@@ -101,16 +169,23 @@ class Vehicle(Section):
     title: str
     groups: Annotated[dict[str, Group], Field(min_length=1, max_length=200)]
     springs: Annotated[dict[str, Spring], Field(min_length=1, max_length=2000, description="By their names.")]
+    sheets: Annotated[dict[str, FrontSheet], Field(max_length=2000, description="By their names.")] = {}
     friction: Annotated[Ratio | None, Field(description="Between the leg and the faces.")] = None
     notes: list[str] = []
 
     @model_validator(mode="after")
     def _held(self) -> Self:
         ends = {end for spring in self.springs.values() for end in spring.between}
+        ends |= {end for sheet in self.sheets.values() for end in sheet.between}
         faults: list[Fault] = [
             (("groups", name), f"nothing holds `{name}`; connect it, or leave it out")
             for name in self.groups
             if name not in ends
+        ]
+        faults += [
+            (("sheets", name), "a spring has this name already; give the sheet another")
+            for name in self.sheets
+            if name in self.springs
         ]
         if all(group.position is None for group in self.groups.values()):
             faults.append((("groups",), "no group has a face (low, high, position): there is nothing to hit"))

@@ -15,6 +15,13 @@ from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.rounding import Figure, FigureTuple
 
 
+class OutlineResult(Part):
+    """A face's points (x, z) in m at a displacement of its group (m), or at a share of its largest."""
+
+    at: Figure
+    points: tuple[tuple[Figure, Figure], ...]
+
+
 class GroupResult(Part):
     """A group: what it consists of, its mass and face (m, kg), and how it moved over time (N·s, m)."""
 
@@ -28,6 +35,8 @@ class GroupResult(Part):
     high: Figure | None = None
     position: Figure | None = None
     slope: Figure | None = None
+    outlines: tuple[OutlineResult, ...] = ()
+    springing_back: tuple[OutlineResult, ...] = ()
 
 
 class ClosureResult(Part):
@@ -53,6 +62,20 @@ class LawResult(Part):
     unloaded: bool
 
 
+class SheetResult(Part):
+    """A sheet's path (see `certkit.identification.sheet_law`) and how well it repeats the history."""
+
+    progress: FigureTuple
+    shortening: FigureTuple
+    force: FigureTuple
+    shares: FigureTuple
+    back_shortening: FigureTuple
+    back_force: FigureTuple
+    stiffness: Figure
+    damping: Figure
+    misfit_percent: Figure
+
+
 class PathResult(Part):
     """A load path over time: impulse (N·s), force and recorded contact force (N), shortening (m); its law."""
 
@@ -69,6 +92,7 @@ class PathResult(Part):
     law: LawResult | None
     peak_force: Figure
     peak_time: Figure
+    sheet: SheetResult | None = None
 
 
 class MaterialResult(Part):
@@ -90,6 +114,77 @@ class MaterialResult(Part):
     spread_percent: Figure | None
 
 
+class GroupCheck(Part):
+    """A group in a self-check: largest movement (m), rms error of its movement over that of the run (%).
+
+    In the coupled run also the impulse (N·s) that the leg passed to it, and the contact's work on it (J).
+    """
+
+    name: str
+    peak: Figure
+    run_peak: Figure
+    rms_percent: Figure
+    displacement: FigureTuple
+    impulse: Figure | None = None
+    run_impulse: Figure | None = None
+    work: Figure | None = None
+    run_work: Figure | None = None
+
+
+class ChannelCheck(Part):
+    """A channel of the leg in a self-check, CFC 180: peaks (N·m or m), their times (s), rms error (%)."""
+
+    name: str
+    peak: Figure
+    run_peak: Figure
+    time: Figure
+    run_time: Figure
+    error_percent: Figure
+    rms_percent: Figure
+    values: FigureTuple
+    run_values: FigureTuple
+
+
+class SelfCheck(Part):
+    """The extraction held to the run that it came from.
+
+    Parameters
+    ----------
+    id : str
+        `front alone` (driven by the run's contact forces), `leg alone` (likewise) or `coupled`.
+    title : str
+    start, interval, until : float
+        Time axis of the series, from the run's start; the end of the comparison, s.
+    groups : tuple of GroupCheck
+        The worst first.
+    channels : tuple of ChannelCheck
+        The worst first.
+    mean_percent, worst_percent : float or None
+        Mean and largest rms error of the faces' movement.
+    force_percent, impulse_percent, rebound_percent : float or None
+        Errors of the largest contact force, of its impulse and of the leg's speed at the end.
+    wrong_group_percent : float or None
+        Impulse that acts on another group than in the run, over the whole impulse.
+    within : bool or None
+        Whether the movement stays within the case's limits; None where nothing moves.
+    """
+
+    id: str
+    title: str
+    start: Figure
+    interval: Figure
+    until: Figure
+    groups: tuple[GroupCheck, ...] = ()
+    channels: tuple[ChannelCheck, ...] = ()
+    mean_percent: Figure | None = None
+    worst_percent: Figure | None = None
+    force_percent: Figure | None = None
+    impulse_percent: Figure | None = None
+    rebound_percent: Figure | None = None
+    wrong_group_percent: Figure | None = None
+    within: bool | None = None
+
+
 class ExtractionResult(OutputDocument):
     """What an extraction found.
 
@@ -109,6 +204,9 @@ class ExtractionResult(OutputDocument):
         What was assumed or repaired.
     inputs : dict of str to str
         SHA-256 by file name: the case and all histories.
+    closed : bool or None
+        Whether the impulse of every path that carries something closes within the case's limit.
+    checks : tuple of SelfCheck
     """
 
     noun: ClassVar = "extraction"
@@ -130,6 +228,8 @@ class ExtractionResult(OutputDocument):
     notes: tuple[str, ...]
     inputs: dict[str, str] = Field(default_factory=dict)
     certkit: str = ""
+    closed: bool | None = None
+    checks: tuple[SelfCheck, ...] = ()
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

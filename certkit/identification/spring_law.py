@@ -86,13 +86,26 @@ class SpringLaw:
             x, f = np.concatenate([[0.0], x]), np.concatenate([[0.0], f])
         return x, f
 
+    def _highest(self, sign: float) -> Curve:
+        """Return the largest force of a side's loading curve up to a shortening."""
+        xs, fs = self._side(sign)
+        if xs.size < 2:
+            return np.zeros_like
+        tops = np.maximum.accumulate(fs)
+
+        def highest(x: Values) -> Values:
+            before = tops[np.maximum(np.searchsorted(xs, x, side="right") - 1, 0)]
+            return np.maximum(before, _continued(x, xs, fs))
+
+        return highest
+
     def spring_force(self, x: Values) -> Values:
         """Return the force of the spring alone along a history of shortenings x, shape (n,)."""
-        side = _history(np.maximum(x, 0.0), self.loading, self.branch)
+        side = _history(np.maximum(x, 0.0), self.loading, self.branch, self._highest(+1.0))
         if not self.tension:
             return side
         y = np.maximum(self.rest_length(np.maximum(x, 0.0)) - x, 0.0)
-        pull = _history(y, self.pulling, self.branch)
+        pull = _history(y, self.pulling, self.branch, self._highest(-1.0))
         return np.where(y > 0, -pull, side)
 
     def rest_length(self, x: Values) -> Values:
@@ -117,7 +130,7 @@ def _continued(x: Values, xs: Values, fs: Values) -> Values:
     return np.asarray(np.interp(x, xs, fs) + slope * np.maximum(x - xs[-1], 0.0))
 
 
-def _history(x: Values, loading: Curve, branch: Branch) -> Values:
+def _history(x: Values, loading: Curve, branch: Branch, highest: Curve) -> Values:
     """Force along a history of x ≥ 0 with the memory of its largest value."""
     top = np.maximum.accumulate(x)
     peak = loading(top)
@@ -126,4 +139,4 @@ def _history(x: Values, loading: Curve, branch: Branch) -> Values:
     span = np.maximum(top - rest, 1e-12)
     flat = branch.residual * peak * np.maximum(x - rest, 0.0) / span
     lower = np.maximum(np.maximum(steep, flat), 0.0)
-    return np.where(x >= top, peak, np.minimum(lower, np.maximum(loading(x), 0.0)))
+    return np.where(x >= top, peak, np.minimum(lower, highest(x)))

@@ -28,7 +28,7 @@ ROUGH = 5.0
 """Where a law with many knots misses its history by more than this (% rms), they would follow noise."""
 
 BEYOND = 0.5
-"""A loading curve is continued by this share of its range, with the mean slope of its last fifth."""
+"""A loading curve is continued by this share of its range; a run goes on with the same slope."""
 
 SIMPLIFY = 0.002
 """Points of the loading curve may be left out as long as it moves by less than this share of its peak.
@@ -45,6 +45,9 @@ DAMPER_GAIN = 0.75
 One impact hardly tells a damper from a stiffer curve: for a few per cent of misfit a quarter of the force may
 go from the one to the other, so a damper has to explain something that the curve cannot.
 """
+
+UNSEEN = 0.1
+"""Share of the other side's travel below which a side of a two-way spring takes the other's stiffness."""
 
 STARTS = ((1.5, 0.05, 0.0), (4.0, 0.3, 0.0), (12.0, 0.1, 0.2), (4.0, 0.0, 0.0))
 """First guesses of (unloading stiffness ÷ secant, residual share, permanent set)."""
@@ -149,6 +152,10 @@ class _Problem:
             rest = one.rest_length(self.pushed)
             y = np.maximum(rest - self.x, 0.0)
             pull_x, pull_f = _curve(y, -(self.force - damping * self.v), 0.0, float(np.max(y)), self.knots)
+            if pull_x[-1] < UNSEEN * self.top:
+                pull_x, pull_f = _as_the_other_side(shortening, force)
+            elif self.top < UNSEEN * pull_x[-1]:
+                shortening, force = _as_the_other_side(pull_x, pull_f)
             shortening = np.concatenate([-pull_x[:0:-1], shortening])
             force = np.concatenate([-pull_f[:0:-1], force])
         return SpringLaw(
@@ -189,6 +196,12 @@ class _Problem:
         return law_of(np.array(min(found)[1]))
 
 
+def _as_the_other_side(x: Values, force: Values) -> tuple[Values, Values]:
+    """Return a straight line with the initial stiffness of the side that was seen."""
+    near = UNSEEN * float(x[-1])
+    return np.array([0.0, near]), np.array([0.0, float(np.interp(near, x, force))])
+
+
 def _curve(x: Values, force: Values, start: float, top: float, count: int) -> tuple[Values, Values]:
     """Fit a piecewise-linear curve, zero up to `start`, to the loading instants of x ≥ 0.
 
@@ -203,7 +216,8 @@ def _curve(x: Values, force: Values, start: float, top: float, count: int) -> tu
     place = np.clip((x[virgin] - start) / width, 0, count)
     left = np.minimum(place.astype(int), count - 1)
     values = _knot_values(left, place - left, force[virgin], count)
-    curve = np.maximum(np.concatenate([[0.0], values]), 0.0)
+    curve = np.maximum(values, 0.0)
+    curve = np.concatenate([[0.0], curve])
     if start > 0:
         return np.concatenate([[0.0], knots]), np.concatenate([[0.0], curve])
     return knots, curve
@@ -235,19 +249,23 @@ def _knot_values(left: NDArray[np.int64], share: Values, force: Values, count: i
 
 
 def _continued(law: SpringLaw) -> SpringLaw:
-    """Continue both ends of the loading curve beyond the history with a slope that means something."""
-    x, f = list(law.shortening), list(law.force)
-    for end, sign in ((-1, 1.0), (0, -1.0)):
-        top = x[end]
-        if sign * top <= 0:
+    """Continue both ends of the loading curve with the steepest secant stiffness that the side has shown.
+
+    So a spring that has softened (a flange that buckled, a contact that slipped off) comes to an end beyond
+    what was seen, instead of letting its group fly.
+    """
+    x, f = np.array(law.shortening), np.array(law.force)
+    for sign in (1.0, -1.0):
+        side = sign * x > 0
+        if not np.any(side):
             continue
-        inner = float(np.interp(0.8 * top, x, f))
-        slope = min(max((f[end] - inner) / (0.2 * top), 0.0), abs(f[end] / top))
-        further = (1 + BEYOND) * top
-        point = (further, f[end] + slope * (further - top))
-        x.insert(len(x) if sign > 0 else 0, point[0])
-        f.insert(len(f) if sign > 0 else 0, point[1])
-    return replace(law, shortening=tuple(x), force=tuple(f))
+        secant = float(np.max(np.maximum(sign * f[side], 0.0) / (sign * x[side])))
+        end = int(np.argmax(sign * x))
+        further = (1 + BEYOND) * x[end]
+        force = f[end] + secant * (further - x[end])
+        place = x.size if sign > 0 else 0
+        x, f = np.insert(x, place, further), np.insert(f, place, force)
+    return replace(law, shortening=tuple(map(float, x)), force=tuple(map(float, f)))
 
 
 def _simplified(law: SpringLaw, share: float) -> SpringLaw:

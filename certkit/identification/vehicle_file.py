@@ -12,7 +12,7 @@ from certkit.errors import DataError
 from certkit.identification.grouping import GROUND
 
 if TYPE_CHECKING:
-    from certkit.documents.extraction import ExtractionResult, GroupResult, LawResult
+    from certkit.documents.extraction import ExtractionResult, GroupResult, LawResult, SheetResult
 
 _HASH_DIGITS = 12
 
@@ -61,6 +61,15 @@ def vehicle_text(result: ExtractionResult) -> str:
             springs.append((path.source, target, path.law))
     for name, (source, target, law) in zip(spring_names([s[:2] for s in springs]), springs, strict=True):
         lines += _spring(name, source, target, law)
+    sheets = [
+        (path.source, path.target, path.sheet)
+        for path in result.paths
+        if path.sheet is not None and path.source in known and path.target in known
+    ]
+    if sheets:
+        lines.append("sheets:")
+    for name, (source, target, sheet) in zip(spring_names([s[:2] for s in sheets]), sheets, strict=True):
+        lines += _sheet(name, source, target, sheet)
     lines.append("notes:")
     lines += [f"  - {_quoted(note)}" for note in (*result.warnings, *result.notes, *files)] or ["  []"]
     return "\n".join(lines) + "\n"
@@ -75,7 +84,21 @@ def _group(group: GroupResult) -> list[str]:
             f"    high: {_number(1e3 * group.high)} mm",
             f"    slope: {_number((group.slope or 0.0) + 0.0)}",
         ]
+        for title, key, unit, scale, outlines in (
+            ("outlines", "at", " mm", 1e3, group.outlines),
+            ("springing back", "share", "", 1.0, group.springing_back),
+        ):
+            if outlines:
+                lines.append(f"    {title}:")
+            lines += [
+                f"      - {{{key}: {_number(scale * line.at)}{unit}, points: [{_points(line.points)}]}}"
+                for line in outlines
+            ]
     return lines
+
+
+def _points(points: tuple[tuple[float, float], ...]) -> str:
+    return ", ".join(f"[{_number(1e3 * x)} mm, {_number(1e3 * z)} mm]" for x, z in points)
 
 
 def _spring(name: str, source: str, target: str, law: LawResult) -> list[str]:
@@ -92,6 +115,22 @@ def _spring(name: str, source: str, target: str, law: LawResult) -> list[str]:
         lines.append(f"    damping: {_number(law.damping)} N·s/m")
     if law.tension:
         lines.append("    tension: true")
+    return lines
+
+
+def _sheet(name: str, source: str, target: str, sheet: SheetResult) -> list[str]:
+    lines = [f"  {_key(name)}:", f"    between: [{source}, {target}]", "    path:"]
+    lines += [
+        f"      - [{_number(1e3 * at)} mm, {_number(1e3 * x)} mm, {_number(f)} N]"
+        for at, x, f in zip(sheet.progress, sheet.shortening, sheet.force, strict=True)
+    ]
+    lines.append("    springing back:")
+    lines += [
+        f"      - [{_number(at)}, {_number(1e3 * x)} mm, {_number(f)} N]"
+        for at, x, f in zip(sheet.shares, sheet.back_shortening, sheet.back_force, strict=True)
+    ]
+    lines.append(f"    stiffness: {_number(1e-3 * sheet.stiffness)} N/mm")
+    lines.append(f"    damping: {_number(sheet.damping)} N·s/m")
     return lines
 
 

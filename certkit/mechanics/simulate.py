@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Procedure
     from certkit.definitions.vehicle import Vehicle
     from certkit.documents.result import Front, Histories, Motion
+    from certkit.mechanics.fixtures.recorded_force import RecordedForce
     from certkit.mechanics.legform.segments import Segment
     from certkit.mechanics.records import Floats
 
@@ -81,7 +82,12 @@ class Simulation:
         return front_response(self.rig, self.run, self.readings)
 
 
-def build(procedure: Procedure, legform: Legform, vehicle: Vehicle | None = None) -> RigAssembly:
+def build(
+    procedure: Procedure,
+    legform: Legform,
+    vehicle: Vehicle | None = None,
+    driven: Sequence[RecordedForce] = (),
+) -> RigAssembly:
     """Put the legform on the procedure's rig; `rig.assembly.finish()` is the world to run."""
     specimen = procedure.specimen
     models = [model_of(fixture) for fixture in procedure.rig.fixtures()]
@@ -93,7 +99,7 @@ def build(procedure: Procedure, legform: Legform, vehicle: Vehicle | None = None
     damping = max((model.mass_damping for model in models), default=0.0)
     leg = add_leg(assembly, legform, segments, flesh=flesh, damping=damping)
     cover = float(legform.flesh.thickness) if flesh else 0.0
-    rig = RigAssembly(assembly, legform, procedure.rig, leg, cover, vehicle)
+    rig = RigAssembly(assembly, legform, procedure.rig, leg, cover, vehicle, driven=driven)
     for model in models:
         model.build(rig)
     rig.add_outline()
@@ -105,6 +111,7 @@ def simulate(
     legform: Legform,
     *,
     vehicle: Vehicle | None = None,
+    driven: Sequence[RecordedForce] = (),
     time_step: float | None = None,
     iterations: int | None = None,
     sample: int | None = None,
@@ -117,6 +124,8 @@ def simulate(
     legform : Legform
     vehicle : Vehicle, optional
         What is hit in free flight.
+    driven : sequence of RecordedForce
+        Contact forces that press on the leg in free flight in the vehicle's place.
     time_step : float, optional
         Seconds; the procedure's own, else 2e-5 or the part of it that damping allows, when not given.
         Halve it to see what it costs.
@@ -133,7 +142,7 @@ def simulate(
     """
     iterations = iterations or ITERATIONS
     try:
-        rig = build(procedure, legform, vehicle)
+        rig = build(procedure, legform, vehicle, driven)
     except (ArithmeticError, np.linalg.LinAlgError) as error:
         raise RunError(
             "the rig cannot be built: a length, stiffness or other value is zero where it cannot be; "

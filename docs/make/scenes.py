@@ -7,7 +7,7 @@ RUNS = (
     "certkit run --procedure vehicle --set vehicle=generic-saloon --format html --out saloon",
     "certkit extract EXAMPLES/extract/bumper-reference/case.yaml --format html --out bumper",
     "certkit run --procedure vehicle-fe-front --format html --out lumped-front",
-    "certkit compare EXAMPLES/extract/front/fe-run.csv lumped-front --out compared",
+    "certkit compare EXAMPLES/extract/front1/fe-run.csv lumped-front --out compared",
     "certkit study bumper.yaml --out study",
 )
 """Run first, in turn, in a folder with the files of `how-to/vehicle.md` and `how-to/study.md`.

@@ -126,6 +126,8 @@ class PartHistories:
         Seconds, strictly increasing.
     parts, nodes, contacts, springs, energies : mapping
         By the name in the model. Node values are displacements along x in m, energies in J.
+    leg : mapping
+        Moments (N·m) and elongations (m) of the leg by channel: T1, MCL …; only looked at to judge.
     notes : tuple of str
         What the reader had to assume or repair.
     files : mapping of str to str
@@ -138,6 +140,7 @@ class PartHistories:
     contacts: Mapping[str, ContactHistory] = field(default_factory=dict)
     springs: Mapping[str, SpringHistory] = field(default_factory=dict)
     energies: Mapping[str, Values] = field(default_factory=dict)
+    leg: Mapping[str, Values] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     source: str = ""
     files: Mapping[str, str] = field(default_factory=dict)

@@ -10,6 +10,7 @@ from certkit.errors import DataError
 from certkit.exchange.fe.binout import read_binout
 from certkit.exchange.fe.faces import Face, read_faces
 from certkit.exchange.fe.histories import PartHistories, PartHistory, parse_units
+from certkit.exchange.fe.node_motion import FOUND_BY_NAME, NodeMotion, read_node_motion
 from certkit.exchange.fe.radioss import RigidBodyRows, part_histories
 from certkit.exchange.fe.radioss_csv import read_converted
 from certkit.exchange.fe.radioss_native import read_native
@@ -21,10 +22,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class FrontData:
-    """Histories of a finite-element run and what is known of its parts' faces."""
+    """Histories of a finite-element run and what is known of its parts' faces and their nodes' motion."""
 
     histories: PartHistories
     faces: dict[str, Face]
+    motion: NodeMotion | None = None
 
 
 def data_folder(section: HistoryFiles, case_folder: Path) -> Path:
@@ -60,12 +62,18 @@ def read_case_data(section: HistoryFiles, folder: Path) -> FrontData:
     if section.table is not None:
         outlines = None if section.outlines is None else _inside(folder, section.outlines)
         faces, digests = read_faces(_inside(folder, section.table), outlines)
+    motion, notes = None, histories.notes
+    found = _motion_file(section, folder)
+    if found is not None:
+        motion, digests[str(found)] = read_node_motion(found)
+        if section.node_motion is None:
+            notes = (*notes, f"the faces' outlines come from the motion of nodes in {found.name}")
     parts = {name: _with_mass(part, faces.get(name)) for name, part in histories.parts.items()}
     names = {str(p): n for p, n in zip(paths, section.files, strict=True)}
     files = {
         names.get(path, Path(path).name): digest for path, digest in {**histories.files, **digests}.items()
     }
-    return FrontData(replace(histories, parts=parts, files=files), faces)
+    return FrontData(replace(histories, parts=parts, files=files, notes=notes), faces, motion)
 
 
 def _histories(section: HistoryFiles, paths: list[Path]) -> PartHistories:
@@ -81,6 +89,16 @@ def _histories(section: HistoryFiles, paths: list[Path]) -> PartHistories:
         return read_binout(paths[0], units, rigid)
     channels = read_native(paths[0]) if section.format == "openradioss native" else read_converted(paths[0])
     return part_histories(channels, units, rigid)
+
+
+def _motion_file(section: HistoryFiles, folder: Path) -> Path | None:
+    """Return the table of node motion: the case's, or the one that lies beside the table of groups."""
+    if section.node_motion is not None:
+        return _inside(folder, section.node_motion)
+    if section.table is None:
+        return None
+    found = sorted(folder.glob(FOUND_BY_NAME))
+    return found[0] if len(found) == 1 else None
 
 
 def _with_mass(part: PartHistory, face: Face | None) -> PartHistory:

@@ -26,8 +26,15 @@ T = TypeVar("T")
 SUFFIXES = {
     "ms": ("time", 1e-3), "s": ("time", 1.0), "mm": ("length", 1e-3), "m": ("length", 1.0),
     "Ns": ("momentum", 1.0), "N": ("force", 1.0), "kN": ("force", 1e3), "J": ("energy", 1.0),
+    "Nm": ("moment", 1.0),
 }  # fmt: skip
 """Unit at the end of a column's name → dimension and factor to SI."""
+
+LEG_CHANNELS = {
+    **{name: (f"{name}_Nm", "moment") for name in ("F1", "F2", "F3", "T1", "T2", "T3", "T4")},
+    **{name: (f"{name}_elong_mm", "length") for name in ("MCL", "ACL", "PCL")},
+}
+"""Channel of the leg → its column, where a file has it, and the column's dimension."""
 
 
 def read_tidy(paths: list[Path], mapping: HistoryFiles) -> PartHistories:
@@ -67,8 +74,14 @@ def read_tidy(paths: list[Path], mapping: HistoryFiles) -> PartHistories:
         for name, spec, star in columns.expanded(mapping.springs, lambda c: c.force)
     }
     nodes = {name: columns.require(column, "", "length") for name, column in mapping.nodes.items()}
+    leg = {
+        name: columns.require(column, "", dimension)
+        for name, (column, dimension) in LEG_CHANNELS.items()
+        if columns.has(column)
+    }
     return PartHistories(
         time=columns.time,
+        leg=leg,
         parts=parts,
         nodes=nodes,
         contacts=contacts,
@@ -101,6 +114,10 @@ class _Columns:
                 )
             for name, values in table.columns.items():
                 self._columns.setdefault(name, (values, table.source))
+
+    def has(self, name: str) -> bool:
+        """Tell whether a file has the column."""
+        return name in self._columns
 
     def require(self, template: str, star: str, dimension: str) -> Values:
         """Return the column in SI; `*` in the template is replaced by `star`."""

@@ -18,7 +18,10 @@ _FILES = (
     "loading_ram_force",
     "ram_nose_contact",
     "vehicle_front_contact",
+    "folding_face_contact",
     "vehicle_spring",
+    "sheet_link",
+    "recorded_contact",
     "sliding_guide",
 )
 

@@ -50,7 +50,7 @@ def _end(now: Instant, piece: int, top: bool) -> float:  # noqa: FBT001  # compi
 
 
 @compiled
-def _piece_at(now: Instant, z: float, piece: int) -> int:
+def untilted_piece_at(now: Instant, z: float, piece: int) -> int:
     """Return the first piece at or below `piece` that stands at height `z`; -1 where there is none.
 
     Unlike the other obstacles' search this one passes by segments that are tilted too far, for those below.
@@ -174,7 +174,7 @@ class VehicleFrontContact(ForceLaw):
             z = strip.face_z
             strip.depth = 0.0
             strip.force = 0.0
-            found = _piece_at(now, z, piece)
+            found = untilted_piece_at(now, z, piece)
             if found < 0:
                 continue
             piece = found

@@ -1,10 +1,10 @@
 """A spring between two groups of a vehicle, or a group and the ground, along x.
 
 Loading follows a piecewise-linear curve F(x) over the shortening x (m). Unloading and reloading follow a
-branch of their own, max(F(x_m) - k_u·(x_m - x), r·F(x_m)·(x - x_r)/(x_m - x_r), 0), never above the curve,
-with the largest shortening x_m so far, unloading stiffness k_u (N/m), residual share r and permanent set
-x_r = s·x_m. A pulling side, where there is one, is the same law with a memory of its own. A damper c·ẋ
-(N·s/m) acts beside it, which without a pulling side never turns the spring into one that pulls.
+branch of their own, max(F(x_m) - k_u·(x_m - x), r·F(x_m)·(x - x_r)/(x_m - x_r), 0), never above the curve's
+largest force up to x, with the largest shortening x_m so far, unloading stiffness k_u (N/m), residual share r
+and permanent set x_r = s·x_m. A pulling side, where there is one, is the same law with a memory of its own. A
+damper c·ẋ (N·s/m) acts beside it, which without a pulling side never turns the spring into one that pulls.
 
 Source: the same law as `certkit.identification.spring_law`, which fits it to finite-element histories; a
 test holds the two together.
@@ -40,6 +40,17 @@ def _loading(curves: Rows[CurvePoint], start: int, count: int, x: float) -> floa
 
 
 @compiled
+def _highest(curves: Rows[CurvePoint], start: int, count: int, x: float) -> float:
+    """Return the largest force of the loading curve up to x."""
+    highest = _loading(curves, start, count, x)
+    for k in range(start, start + count):
+        if curves[k].x >= x:
+            break
+        highest = max(highest, curves[k].force)
+    return highest
+
+
+@compiled
 def _side(
     curves: Rows[CurvePoint], start: int, count: int, x: float, top: float, row: VehicleSpring
 ) -> tuple[float, float]:
@@ -49,7 +60,7 @@ def _side(
     steep = max(peak - unloading * (top - x), 0.0)
     flat = residual * peak / (top - rest) if top > rest else 0.0
     soft = flat * max(x - rest, 0.0)
-    force = peak if x >= top else min(max(steep, soft), _loading(curves, start, count, x))
+    force = peak if x >= top else min(max(steep, soft), _highest(curves, start, count, x))
     # Area under the branch: the flat part from the permanent set, and what the steep part stands above it.
     stored = 0.5 * soft * max(x - rest, 0.0)
     above = steep - soft

@@ -36,6 +36,8 @@ def front_response(rig: RigAssembly, run: Trajectory, readings: Mapping[str, Flo
         for name, share in ((strip.lower, 1 - strip.share), (strip.upper, strip.share)):
             if share > 0:
                 contact[name] = contact.get(name, 0.0) + share * force
+    for k, name in enumerate(rig.front.folding):
+        contact[name] = contact.get(name, 0.0) + readings[f"folding strip {k} force"][first:]
     touched = {name: force for name, force in contact.items() if force.max() > 0}
     offset = run.tracks.shape[1] - len(rig.front.groups)
     displacement = {
@@ -44,7 +46,7 @@ def front_response(rig: RigAssembly, run: Trajectory, readings: Mapping[str, Flo
     }
     springs = {
         name: (readings[f"spring {name} shortening"][first:], readings[f"spring {name} force"][first:])
-        for name in rig.front.springs
+        for name in rig.front.links
         if np.any(readings[f"spring {name} force"][first:])
     }
 

@@ -155,7 +155,7 @@ def test_a_definition_error_names_line_and_column(folder: Path) -> None:
 def test_a_damaged_outline_is_refused_with_its_name(tmp_path: Path) -> None:
     from certkit.exchange.fe import read_faces  # noqa: PLC0415  # only here
 
-    shutil.copy(CASES / "front/groups_table.csv", tmp_path)
+    shutil.copy(CASES / "front1/groups_table.csv", tmp_path)
     (tmp_path / "params.json").write_text('{"fascia_poly_x_z": [[70, 200], [35, 190]]}')
     with pytest.raises(DataError, match="`fascia_poly_x_z` must be points"):
         read_faces(tmp_path / "groups_table.csv", tmp_path / "params.json")

@@ -98,8 +98,8 @@ def test_unknown_units_are_refused() -> None:
 
 
 def test_a_front_in_the_same_layout_is_read_by_patterns() -> None:
-    document = load("case", CASES / "front/case.yaml").document
-    data = read_case_data(document.histories, CASES / "front")
+    document = load("case", CASES / "front1/case.yaml").document
+    data = read_case_data(document.histories, CASES / "front1")
     assert data.histories.part("F4_*").front is not None
     assert data.histories.part("E4_*").front is None
     face = data.faces["F1_spoiler_lip"]

@@ -1,0 +1,98 @@
+"""The contact forces of a run as single forces, and where on the leg each of them acts.
+
+A group's contact force is divided among its nodes on the middle line by how deep each of them lies in the
+leg's flesh, p ∝ d·(1 + (d/t)²), with the depth d from the leg's axis nodes and the flesh's thickness t.
+Without axis nodes the whole force acts at the group's foremost node, without any node at the middle of its
+face.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.mechanics.fixtures.recorded_force import RecordedForce
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from certkit.documents.extraction import ExtractionResult
+    from certkit.exchange.fe.node_motion import NodeMotion
+
+    Values = NDArray[np.float64]
+
+AXIS = "leg_axis"
+"""Lines of nodes on the leg's axis begin with this."""
+
+
+def recorded_forces(
+    result: ExtractionResult, motion: NodeMotion | None, *, face: float, thickness: float
+) -> list[RecordedForce]:
+    """Return the impactor's contact forces with their places.
+
+    Parameters
+    ----------
+    result : ExtractionResult
+    motion : NodeMotion, optional
+    face, thickness : float
+        Of the flesh: distance of its bone side from the leg's axis, and its thickness, m.
+    """
+    impactors = {group.name for group in result.groups if group.kind == "impactor"}
+    groups = {group.name: group for group in result.groups}
+    time = np.array(result.times)
+    axis = None if motion is None else _axis(motion)
+    found = []
+    for path in result.paths:
+        if path.source not in impactors or path.target not in groups or not any(path.force):
+            continue
+        force, group = np.array(path.force), groups[path.target]
+        nodes = (
+            []
+            if motion is None
+            else [n for part in group.parts for n in motion.places.get(part, {}).values()]
+        )
+        if motion is None or not nodes:
+            middle = 0.5 * ((group.low or 0.0) + (group.high or 0.0))
+            found.append(RecordedForce(group.name, time, force, np.full_like(time, middle)))
+            continue
+        places = np.array(nodes)
+        shares = _foremost(places) if axis is None else _by_depth(places, axis, face, thickness)
+        for place, share in zip(places, shares, strict=True):
+            if share.max() > 0:
+                height = np.interp(time, motion.time, place[:, 1])
+                found.append(
+                    RecordedForce(group.name, time, force * np.interp(time, motion.time, share), height)
+                )
+    return found
+
+
+def _axis(motion: NodeMotion) -> Values | None:
+    """Return the places of the leg's axis nodes from bottom to top, shape (nodes, instants, 2)."""
+    nodes = [p for line, places in motion.places.items() if line.startswith(AXIS) for p in places.values()]
+    return np.array(sorted(nodes, key=lambda p: p[0, 1])) if len(nodes) > 1 else None
+
+
+def _foremost(places: Values) -> Values:
+    shares = np.zeros(places.shape[:2])
+    shares[np.argmin(places[:, :, 0], axis=0), np.arange(places.shape[1])] = 1.0
+    return shares
+
+
+def _by_depth(places: Values, axis: Values, face: float, thickness: float) -> Values:
+    """Return each node's share of the force over time, shape (nodes, instants)."""
+    depth = np.array([face + thickness - _distance(node, axis) for node in places])
+    press = np.maximum(depth, 0.0)
+    press = press * (1.0 + (press / thickness) ** 2)
+    total = press.sum(axis=0)
+    nearest = np.zeros_like(press)
+    nearest[np.argmax(depth, axis=0), np.arange(press.shape[1])] = 1.0
+    return np.asarray(np.where(total > 0, press / np.where(total > 0, total, 1.0), nearest))
+
+
+def _distance(node: Values, axis: Values) -> Values:
+    """Return a node's distance from the axis over time, shape (instants,)."""
+    first, along = axis[:-1], axis[1:] - axis[:-1]
+    place = np.einsum("ktj,ktj->kt", node[None] - first, along) / np.einsum("ktj,ktj->kt", along, along)
+    foot = first + np.clip(place, 0.0, 1.0)[..., None] * along
+    return np.asarray(np.linalg.norm(node[None] - foot, axis=2).min(axis=0))

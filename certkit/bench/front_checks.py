@@ -1,0 +1,296 @@
+"""The self-checks of an extraction: the front alone, the leg alone, and both together, beside their run.
+
+The front alone, driven by the run's own contact forces, shows what the springs are worth. The leg alone,
+driven by the same forces, shows what the leg is worth. Only where both agree is an agreement of the coupled
+run a prediction and no compensation.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.bench.contact_places import recorded_forces
+from certkit.bench.setup import prepare
+from certkit.documents.extraction import ChannelCheck, GroupCheck, SelfCheck
+from certkit.identification.vehicle_file import vehicle_text
+from certkit.signals.cfc import cfc
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    from numpy.typing import NDArray
+
+    from certkit.bench.setup import Setup
+    from certkit.definitions.extraction_case import Case
+    from certkit.documents.extraction import ExtractionResult
+    from certkit.exchange.fe import FrontData
+    from certkit.mechanics import Simulation
+
+    Values = NDArray[np.float64]
+
+PROCEDURE = "vehicle-fe-front"
+UNTIL = 0.045
+"""s: later a leg hardly touches a front."""
+POINTS = 200
+"""Of a series that is kept."""
+STILL = 0.1
+"""Share of the largest movement of a face below which a face's error is not judged: it does not move."""
+FREQUENCY_CLASS = 180.0
+"""CFC of peaks and curves."""
+
+
+@dataclass(frozen=True)
+class _Run:
+    """What the finite-element run says, on the uniform axis of the extraction up to the checks' end."""
+
+    result: ExtractionResult
+    data: FrontData
+    until: float
+    limit: float
+
+    @property
+    def time(self) -> Values:
+        times = np.array(self.result.times)
+        return times[times <= self.until]
+
+    @property
+    def contacts(self) -> dict[str, tuple[Values, Values]]:
+        """Return impulse and force of the impactor on each group."""
+        impactors = {group.name for group in self.result.groups if group.kind == "impactor"}
+        n = self.time.size
+        return {
+            path.target: (np.array(path.impulse[:n]), np.array(path.force[:n]))
+            for path in self.result.paths
+            if path.source in impactors
+        }
+
+    @property
+    def start(self) -> float:
+        """Return the instant of first contact, s."""
+        total = sum((impulse for impulse, _ in self.contacts.values()), np.zeros_like(self.time))
+        begun = np.flatnonzero(total > 1e-6 * float(np.max(np.abs(total))))
+        return float(self.time[max(int(begun[0]) - 1, 0)]) if begun.size else 0.0
+
+
+def self_checks(
+    case: Case,
+    data: FrontData,
+    result: ExtractionResult,
+    *,
+    procedure: str | Path = PROCEDURE,
+    tell: Callable[[str], None] = lambda _: None,
+) -> tuple[SelfCheck, ...]:
+    """Hold an extraction to its run.
+
+    Parameters
+    ----------
+    case : Case
+    data : FrontData
+        The histories that the extraction came from.
+    result : ExtractionResult
+    procedure : str or Path
+        Which leg hits the front, and how.
+    tell : callable, optional
+        Told what is being done.
+
+    Returns
+    -------
+    tuple of SelfCheck
+        The front alone; where the run tells what its leg did, also the leg alone and both.
+
+    Raises
+    ------
+    RunError
+        When a run does not finish.
+    """
+    settings = case.settings
+    until = UNTIL if settings.check_until is None else float(settings.check_until)
+    run = _Run(result, data, min(until, result.times[-1]), settings.movement_limit)
+    if not any(group.position is not None for group in result.groups) or not run.contacts:
+        return ()
+    with TemporaryDirectory() as folder:
+        vehicle = Path(folder) / "vehicle.yaml"
+        vehicle.write_text(vehicle_text(result), encoding="utf-8")
+        setup = prepare(procedure, overrides={"vehicle": str(vehicle)})
+    tell("self-check: the front alone")
+    alone = _front_alone(run, setup)
+    if not data.histories.leg:  # the impactor was no leg, or nothing is known of it
+        return (alone,)
+    tell("self-check: the leg alone")
+    leg = _leg_alone(run, setup)
+    tell("self-check: leg and front")
+    return (alone, leg, _coupled(run, setup))
+
+
+def _front_alone(run: _Run, setup: Setup) -> SelfCheck:
+    from certkit.mechanics.recorded_drive import drive_front  # noqa: PLC0415  # a solver, only here
+
+    if setup.vehicle is None:
+        raise ValueError("a front is checked with a procedure that hits a vehicle")
+    forces = recorded_forces(run.result, None, face=0.0, thickness=1.0)
+    driven = drive_front(setup.vehicle, forces, run.until)
+    moved = {name: np.interp(run.time, driven.time, x) for name, x in driven.displacement.items()}
+    return _checked(run, "front alone", "The front alone, driven by the run's contact forces", moved)
+
+
+def _leg_alone(run: _Run, setup: Setup) -> SelfCheck:
+    from certkit.mechanics import simulate  # noqa: PLC0415  # a solver, only here
+
+    flesh = setup.legform.flesh
+    half = 0.5 * max(float(bone.depth) for bone in setup.legform.parts.values())
+    face = half if flesh.face is None else float(flesh.face)
+    forces = recorded_forces(run.result, run.data.motion, face=face, thickness=float(flesh.thickness))
+    done = simulate(setup.procedure, setup.legform, driven=forces)
+    start, interval, _ = _axis(run)
+    return SelfCheck(
+        id="leg alone",
+        title="The leg alone, driven by the run's contact forces",
+        start=start,
+        interval=interval,
+        until=run.until,
+        channels=_channels(run, done),
+    )
+
+
+def _coupled(run: _Run, setup: Setup) -> SelfCheck:
+    from certkit.mechanics import simulate  # noqa: PLC0415  # a solver, only here
+
+    done = simulate(setup.procedure, setup.legform, vehicle=setup.vehicle)
+    front = done.front
+    if front is None:
+        raise ValueError("a front is checked with a procedure that hits a vehicle")
+    time = (
+        run.start
+        + front.displacement.start
+        + front.displacement.interval * np.arange(front.displacement.count)
+    )
+    moved = {
+        name: np.interp(run.time, time, 1e-3 * np.array(series.values))
+        for name, series in front.displacement.series.items()
+    }
+    forces = {
+        name: np.interp(run.time, time, np.array(series.values), left=0.0)
+        for name, series in front.contact.series.items()
+    }
+    check = _checked(run, "coupled", "Leg and front together", moved, forces)
+    recording = done.recording
+    force = np.interp(run.time, run.start + recording.time, recording["contact force"].values, left=0.0)
+    total = sum((f for _, f in run.contacts.values()), np.zeros_like(run.time))
+    interval = float(run.time[1] - run.time[0])
+    impulse, wanted = float(force.sum() * interval), float(sum(i[-1] for i, _ in run.contacts.values()))
+    impactor = next(group for group in run.result.groups if group.kind == "impactor")
+    left = impactor.momentum[run.time.size - 1]
+    peaks = [float(cfc(values, interval, FREQUENCY_CLASS).max()) for values in (force, total)]
+    wrong = sum(abs((g.impulse or 0.0) - (g.run_impulse or 0.0)) for g in check.groups)
+    return check.model_copy(
+        update={
+            "channels": _channels(run, done),
+            "force_percent": _error(*peaks),
+            "impulse_percent": _error(impulse, wanted),
+            "rebound_percent": _error(impactor.momentum[0] - impulse, left) if left != 0 else None,
+            "wrong_group_percent": 50.0 * wrong / wanted if wanted > 0 else None,
+        }
+    )
+
+
+def _checked(
+    run: _Run, key: str, title: str, moved: Mapping[str, Values], forces: Mapping[str, Values] | None = None
+) -> SelfCheck:
+    """Compare the groups' movement, and the impulse and work on each where the forces are known."""
+    interval = float(run.time[1] - run.time[0])
+    start, thinned, every = _axis(run)
+    groups = []
+    for group in run.result.groups:
+        if group.name not in moved:
+            continue
+        x, wanted = moved[group.name], np.array(group.displacement[: run.time.size])
+        largest = float(np.max(np.abs(wanted)))
+        more: dict[str, float] = {}
+        if forces is not None and group.name in run.contacts:
+            force = forces.get(group.name, np.zeros_like(x))
+            impulse, run_force = run.contacts[group.name]
+            more = {
+                "impulse": float(force.sum() * interval),
+                "run_impulse": float(impulse[-1]),
+                "work": float(np.trapezoid(force, x)),
+                "run_work": float(np.trapezoid(run_force, wanted)),
+            }
+        groups.append(
+            GroupCheck(
+                name=group.name,
+                peak=float(np.max(np.abs(x))),
+                run_peak=largest,
+                rms_percent=100 * float(np.sqrt(np.mean((x - wanted) ** 2))) / largest
+                if largest > 0
+                else 0.0,
+                displacement=tuple(map(float, x[::every])),
+                **more,
+            )
+        )
+    judged = _judged(run, groups)
+    worst = max(judged) if judged else None
+    return SelfCheck(
+        id=key,
+        title=title,
+        start=start,
+        interval=thinned,
+        until=run.until,
+        groups=tuple(sorted(groups, key=lambda g: -g.rms_percent)),
+        mean_percent=float(np.mean(judged)) if judged else None,
+        worst_percent=worst,
+        within=None if worst is None else worst <= run.limit,
+    )
+
+
+def _judged(run: _Run, groups: list[GroupCheck]) -> list[float]:
+    """Return the errors of the faces that move."""
+    faces = {group.name for group in run.result.groups if group.position is not None}
+    most = max((g.run_peak for g in groups if g.name in faces), default=0.0)
+    return [g.rms_percent for g in groups if g.name in faces and g.run_peak >= STILL * most]
+
+
+def _channels(run: _Run, done: Simulation) -> tuple[ChannelCheck, ...]:
+    """Compare the leg's channels, filtered, from first contact to the checks' end."""
+    interval = done.recording.interval
+    time = done.recording.time
+    time = time[time + run.start <= run.until]
+    every = max(1, time.size // POINTS)
+    checks = []
+    for name, values in run.data.histories.leg.items():
+        if name not in done.recording.channels:
+            continue
+        wanted = cfc(np.interp(time + run.start, run.data.histories.time, values), interval, FREQUENCY_CLASS)
+        got = cfc(done.recording[name].values, interval, FREQUENCY_CLASS)[: time.size]
+        i, j = int(np.argmax(got)), int(np.argmax(wanted))
+        largest = float(wanted[j])
+        if largest <= 0:
+            continue
+        checks.append(
+            ChannelCheck(
+                name=name,
+                peak=float(got[i]),
+                run_peak=largest,
+                time=float(time[i] + run.start),
+                run_time=float(time[j] + run.start),
+                error_percent=_error(float(got[i]), largest),
+                rms_percent=100 * float(np.sqrt(np.mean((got - wanted) ** 2))) / largest,
+                values=tuple(map(float, got[::every])),
+                run_values=tuple(map(float, wanted[::every])),
+            )
+        )
+    return tuple(sorted(checks, key=lambda c: -c.rms_percent))
+
+
+def _axis(run: _Run) -> tuple[float, float, int]:
+    """Return start and interval of the series that are kept, and of how many instants one is."""
+    every = max(1, run.time.size // POINTS)
+    return float(run.time[0]), float(run.time[1] - run.time[0]) * every, every
+
+
+def _error(value: float, reference: float) -> float:
+    return 100.0 * (value / reference - 1.0) if reference != 0 else 0.0

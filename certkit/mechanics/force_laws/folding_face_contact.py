@@ -1,0 +1,139 @@
+"""The leg's flesh against faces that fold as they are pushed in: sliding, pushing only, with friction.
+
+A face is a line of points. Each point's place (x, z) is tabulated over its group's displacement (m), from
+finite elements; strips lie between the points and move with their group and on its outline. So the place
+where the leg presses wanders over a group, and from group to group, as the face folds. Force on a strip over
+depth and its rate, with what the flesh loses, as in `flesh_compression`, and friction μ·F·tanh(v/v₀) against
+the sliding speed v along the leg.
+
+What the outline's own change takes up, contact force times the strip's movement against its group, is counted
+as dissipated: it is work on the folding face.
+
+Source: step 4 of the seed paper (section 3) measures the front that the leg bends to; the outline says where
+that front is.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.flesh_compression import elastic, friction_share
+from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
+from certkit.mechanics.force_laws.leg_outline import surface_at, surface_velocity
+from certkit.mechanics.force_laws.recorded_path import on_path
+from certkit.mechanics.force_laws.vehicle_front_contact import STICK, untilted_piece_at
+
+if TYPE_CHECKING:
+    from certkit.mechanics.records import Body, Rows, State
+
+
+@compiled
+def _place(strip: FoldingFaceContact, now: Instant, moved: float) -> None:
+    """Write down where the strip stands against its group, and how high it is."""
+    strip.x = on_path(now.curves, strip, 0, moved, strip.largest)
+    strip.z = on_path(now.curves, strip, 1, moved, strip.largest)
+    strip.height = max(on_path(now.curves, strip, 2, moved, strip.largest), 0.0)
+
+
+@dataclass(kw_only=True)
+class FoldingFaceContact(ForceLaw):
+    """One strip of a face.
+
+    Parameters
+    ----------
+    group : Body
+    rest : float
+        Where the group's body stands before it is moved, m.
+    in_start, in_points, back_start, back_points : int
+        The strip's path, see `recorded_path`: x against the group, z and height over the displacement.
+    compression, layer, compacted_at, wall, loss : float
+        Of the flesh, see `flesh_compression`.
+    thickness : float
+        Of the flesh in front of the bone, m.
+    friction : float
+        μ.
+    depth, force : State
+        d (m) and F (N) now.
+    largest : State
+        Largest displacement of the group so far, m.
+    x, z, height : State
+        The strip's place against its group and its height now, m.
+    """
+
+    group: Body
+    rest: float
+    in_start: int
+    in_points: int
+    back_start: int
+    back_points: int
+    compression: float
+    layer: float
+    compacted_at: float
+    wall: float
+    loss: float
+    thickness: float
+    friction: float
+    depth: State = 0.0
+    force: State = 0.0
+    largest: State = 0.0
+    x: State = 0.0
+    z: State = 0.0
+    height: State = 0.0
+
+    @staticmethod
+    @compiled
+    def forces(strips: Rows[FoldingFaceContact], now: Instant, load: Rows[Load], totals: Totals) -> None:
+        """Add the contact of leg and folding faces."""
+        piece = 0
+        above = math.inf
+        for i in range(len(strips)):
+            strip = strips[i]
+            moved = now.pose[strip.group].x - strip.rest
+            strip.largest = max(strip.largest, moved)
+            shift, climb, growth = strip.x, strip.z, strip.height
+            _place(strip, now, moved)
+            x, z, height = strip.x, strip.z, strip.height
+            shift, climb, growth = x - shift, z - climb, height - growth
+            before = strip.force
+            strip.depth = 0.0
+            strip.force = 0.0
+            if z > above:  # a fold stands above the strip before it
+                piece = 0
+            above = z
+            found = untilted_piece_at(now, z, piece)
+            if found < 0:
+                piece = 0
+                continue
+            piece = found
+            surface, by_z, by_angle = surface_at(now, piece, z, strip.thickness)
+            depth = surface - moved - x
+            if depth <= 0.0:
+                continue
+            body = now.outline[piece].body
+            closing = surface_velocity(now, body, by_z, by_angle) - now.velocity[strip.group].x
+            closing -= (shift + by_z * climb) / now.step
+            press, energy = elastic(depth, strip.compression, strip.layer, strip.compacted_at, strip.wall)
+            friction = height * press * friction_share(closing, strip.loss)
+            force = height * press + friction
+            totals.stored += height * energy
+            totals.power += friction * closing
+            totals.force += force
+            totals.flesh_depth = max(totals.flesh_depth, depth / strip.layer)
+            if before > 0.0:
+                totals.dissipated += 0.5 * (before + force) * (shift + by_z * climb) - energy * growth
+            on_leg = load[body]
+            on_leg.x -= force
+            on_leg.z -= force * by_z
+            on_leg.torque -= force * by_angle
+            load[strip.group].x += force
+            arm = surface - now.pose[body].x
+            slip = now.velocity[body].z + now.velocity[body].angular * arm
+            rub = strip.friction * force * math.tanh(slip / STICK)
+            on_leg.z -= rub
+            on_leg.torque -= rub * arm
+            totals.power += rub * slip
+            strip.depth = depth
+            strip.force = force

@@ -1,0 +1,56 @@
+"""Quantities tabulated along a recorded path: over a progress on the way in, over its share on the way back.
+
+On the way in a quantity is y(ξ), over the largest progress ξₘ so far (m). On the way back, at the share
+s = ξ/ξₘ, what the recorded run added is added: y(ξₘ) + Δy(s), with Δy(1) = 0. Beyond the tables' ends the
+last value holds. Several quantities of one path are curves of equally many points that follow each other.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from certkit.mechanics.compiling import compiled
+
+if TYPE_CHECKING:
+    from certkit.mechanics.force_laws.law import CurvePoint
+    from certkit.mechanics.records import Rows
+
+
+class RecordedPath(Protocol):
+    """A row that says where its path's tables stand among the curves: first point and number, each way."""
+
+    in_start: int
+    in_points: int
+    back_start: int
+    back_points: int
+
+
+@compiled
+def held(curves: Rows[CurvePoint], start: int, count: int, x: float) -> float:
+    """Return a curve's value at x, linear between its points and held beyond its ends."""
+    low, high = start, start + count - 1
+    if x >= curves[high].x:
+        return curves[high].force
+    if x <= curves[low].x:
+        return curves[low].force
+    while high - low > 1:
+        middle = (low + high) // 2
+        if x < curves[middle].x:
+            high = middle
+        else:
+            low = middle
+    share = (x - curves[low].x) / (curves[high].x - curves[low].x)
+    return curves[low].force + share * (curves[high].force - curves[low].force)
+
+
+@compiled
+def on_path(
+    curves: Rows[CurvePoint], path: RecordedPath, quantity: int, progress: float, largest: float
+) -> float:
+    """Return a quantity of a path by its number."""
+    start, count = path.in_start, path.in_points
+    value = held(curves, start + quantity * count, count, largest)
+    count = path.back_points
+    if count > 0 and largest > 0.0:
+        value += held(curves, path.back_start + quantity * count, count, progress / largest)
+    return value
