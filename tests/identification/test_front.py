@@ -9,68 +9,28 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from scipy.signal import butter, filtfilt
 
+from certkit.bench.extract_vehicle import extract as extract_with_checks
 from certkit.definitions.loading.library import load
 from certkit.errors import DataError
-from certkit.exchange.fe.numeric_table import read_table
-from certkit.identification import ExtractionResult, vehicle_text
+from certkit.identification import ExtractionResult
 from certkit.identification.five_steps import extract
-from certkit.mechanics import Simulation, simulate
-from certkit.mechanics.fixtures.recorded_force import RecordedForce
-from certkit.mechanics.recorded_drive import drive_front
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from certkit.definitions.vehicle import Vehicle
+    from certkit.documents.extraction import SelfCheck
 
 FRONT = Path(__file__).parents[2] / "examples/extract/front1"
-START = 0.96e-3  # s: first contact of the finite-element run
-UNTIL = 45e-3  # s of that run
+FACES = {"F1", "F2", "F3", "F4", "F5", "F6", "F7", "H1"}
 
 
 @pytest.fixture(scope="module")
 def result() -> ExtractionResult:
-    return extract(load("case", FRONT / "case.yaml").document, FRONT)
+    return extract_with_checks(FRONT / "case.yaml")
 
 
 @pytest.fixture(scope="module")
-def vehicle(result: ExtractionResult, tmp_path_factory: pytest.TempPathFactory) -> Vehicle:
-    path = tmp_path_factory.mktemp("front") / "vehicle.yaml"
-    path.write_text(vehicle_text(result))
-    return load("vehicle", path).document
-
-
-@pytest.fixture(scope="module")
-def hit(vehicle: Vehicle) -> Simulation:
-    sheet = load("procedure", "vehicle-fe-front").document
-    return simulate(sheet, load("legform", sheet.specimen.legform).document, vehicle=vehicle)
-
-
-def filtered(values: np.ndarray, interval: float) -> np.ndarray:
-    b, a = butter(2, 300 * 2 * interval)
-    return filtfilt(b, a, values)
-
-
-def recorded(file: str, column: str, times: np.ndarray) -> np.ndarray:
-    table = read_table(FRONT / file).columns
-    return np.interp(times + START, 1e-3 * table["time_ms"], table[column])
-
-
-def face_errors(
-    result: ExtractionResult, time: np.ndarray, moved: Mapping[str, np.ndarray]
-) -> dict[str, float]:
-    """Return the rms error of each face's movement, in per cent of the largest of the run."""
-    times = np.array(result.times)
-    errors = {}
-    for group in result.groups:
-        if group.position is None or group.name == "H2":  # the hood's rear moves by 2 mm
-            continue
-        wanted = np.array(group.displacement)[times <= UNTIL]
-        got = np.interp(times[times <= UNTIL], time, moved[group.name])
-        errors[group.name] = 100 * np.sqrt(np.mean((got - wanted) ** 2)) / np.abs(wanted).max()
-    return errors
+def checks(result: ExtractionResult) -> dict[str, SelfCheck]:
+    return {check.id: check for check in result.checks}
 
 
 def test_there_are_seven_fascia_two_hood_and_five_engine_room_groups(result: ExtractionResult) -> None:
@@ -99,64 +59,42 @@ def test_ground_springs_come_back_with_the_stiffness_of_the_model(result: Extrac
         assert law.damping == pytest.approx(damping, rel=0.25)
 
 
-def test_the_front_alone_moves_as_in_the_run_under_the_forces_of_the_run(
-    result: ExtractionResult, vehicle: Vehicle
+@pytest.mark.parametrize("check", ["front alone", "coupled"])
+def test_the_front_moves_as_in_the_run(checks: dict[str, SelfCheck], check: str) -> None:
+    mean, worst = checks[check].mean_percent, checks[check].worst_percent
+    assert mean is not None
+    assert worst is not None
+    assert mean < 12
+    assert worst < 30
+    assert worst == max(g.rms_percent for g in checks[check].groups if g.name in FACES)
+
+
+def test_contact_force_impulse_and_rebound_are_those_of_the_run(checks: dict[str, SelfCheck]) -> None:
+    coupled = checks["coupled"]
+    assert coupled.force_percent == pytest.approx(0, abs=10)
+    assert coupled.impulse_percent == pytest.approx(0, abs=4)
+    assert coupled.rebound_percent == pytest.approx(0, abs=6)
+
+
+def test_each_group_takes_its_own_impulse(checks: dict[str, SelfCheck]) -> None:
+    assert checks["coupled"].wrong_group_percent is not None
+    assert checks["coupled"].wrong_group_percent < 10
+
+
+@pytest.mark.parametrize("channel", ["T1", "T2", "T3", "T4", "F1", "F2", "F3", "MCL", "ACL", "PCL"])
+def test_the_front_bends_its_leg_as_the_forces_of_the_run_do_though_nothing_was_fitted_to_it(
+    checks: dict[str, SelfCheck], channel: str
 ) -> None:
-    times = np.array(result.times)
-    forces = [
-        RecordedForce(path.target, times, np.array(path.force), np.zeros_like(times))
-        for path in result.paths
-        if path.source == "leg"
-    ]
-    driven = drive_front(vehicle, forces, UNTIL)
-    errors = face_errors(result, driven.time, driven.displacement)
-    assert np.mean(list(errors.values())) < 12
-    assert max(errors.values()) < 25
+    alone, coupled = (
+        next(c for c in checks[check].channels if c.name == channel) for check in ("leg alone", "coupled")
+    )
+    assert coupled.peak == pytest.approx(alone.peak, rel=0.15)
+    assert coupled.peak == pytest.approx(coupled.run_peak, rel=0.3)
 
 
-def test_the_front_hit_by_the_leg_moves_as_in_the_run(result: ExtractionResult, hit: Simulation) -> None:
-    assert hit.front is not None
-    histories = hit.front.displacement
-    time = START + histories.start + histories.interval * np.arange(histories.count)
-    moved = {name: 1e-3 * np.array(series.values) for name, series in histories.series.items()}
-    errors = face_errors(result, time, moved)
-    assert np.mean(list(errors.values())) < 12
-    assert max(errors.values()) < 30
-
-
-CHANNELS = ["T1", "T2", "T3", "T4", "F1", "F2", "F3", "MCL", "ACL", "PCL"]
-
-
-@pytest.mark.parametrize("channel", CHANNELS)
-def test_bending_and_ligaments_are_those_of_the_run_though_nothing_was_fitted_to_them(
-    hit: Simulation, channel: str
-) -> None:
-    interval, times = hit.recording.interval, hit.recording.time
-    ligament = channel.endswith("CL")
-    column = f"{channel}_elong_mm" if ligament else f"{channel}_Nm"
-    wanted = filtered(recorded("leg_channels.csv.gz", column, times), interval) * (1e-3 if ligament else 1)
-    value = filtered(hit.recording[channel].values, interval)
-    assert value.max() == pytest.approx(wanted.max(), rel=0.12)
-    assert np.sqrt(np.mean((value - wanted) ** 2)) < 0.1 * wanted.max()
-
-
-def test_contact_force_and_its_impulse_are_those_of_the_run(hit: Simulation) -> None:
-    interval, times = hit.recording.interval, hit.recording.time
-    force = hit.recording["contact force"].values
-    wanted = filtered(recorded("contact_forces.csv.gz", "leg_vehicle__Fx_N", times), interval)
-    impulse = recorded("contact_forces.csv.gz", "leg_vehicle__Jx_Ns", times[-1:])[0]
-    assert filtered(force, interval).max() == pytest.approx(wanted.max(), rel=0.1)
-    assert force.sum() * interval == pytest.approx(impulse, rel=0.04)
-
-
-def test_each_group_takes_its_own_impulse(result: ExtractionResult, hit: Simulation) -> None:
-    assert hit.front is not None
-    histories, end = hit.front.contact, hit.recording.time[-1] + START
-    paths = {path.target: path for path in result.paths if path.source == "leg"}
-    wanted = {name: np.interp(end, result.times, path.impulse) for name, path in paths.items()}
-    got = {name: sum(series.values) * histories.interval for name, series in histories.series.items()}
-    wrong = sum(abs(got.get(name, 0.0) - value) for name, value in wanted.items()) / 2
-    assert wrong < 0.08 * sum(wanted.values())
+def test_an_extraction_says_that_it_closes_and_can_be_trusted(result: ExtractionResult) -> None:
+    assert result.closed
+    assert all(check.within is not False for check in result.checks)
 
 
 def test_another_front_in_the_same_layout_is_extracted_by_the_same_case(tmp_path: Path) -> None:
