@@ -48,9 +48,13 @@ may_install() { has_program apt-get && { [ "$(id -u)" = 0 ] || { has_program sud
 if [ -n "$packages" ]; then
   if may_install; then
     echo "setup.sh: installing system packages: $packages" >&2
-    as_root apt-get update -qq
     # shellcheck disable=SC2086  # a list of words
-    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $packages >/dev/null 2>&1
+    if ! { as_root apt-get update -qq &&
+      as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $packages; } >.setup.log 2>&1; then
+      tail -n 5 .setup.log >&2
+      echo "setup.sh: that failed; going on without them" >&2
+    fi
+    rm -f .setup.log
   else
     echo "setup.sh: missing and not mine to install: $packages (as root: apt-get install $packages)" >&2
   fi
