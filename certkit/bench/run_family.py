@@ -48,9 +48,18 @@ def run_family(
     for member in kin.members:
         if step is not None:
             step(member.id)
-        own = member.overrides(nominal.procedure)
-        results.append(run(procedure, library=library, overrides={**own, **(overrides or {})}, refine=False))
+        changed = {**member.overrides(nominal.procedure), **(overrides or {})}
+        results.append(_trusted_run(procedure, library, changed))
     return worded(with_spread(results))
+
+
+def _trusted_run(procedure: str | Path, library: Library, overrides: Overrides) -> Result:
+    """Run a member; where the run cannot be trusted, again with half the time step."""
+    result = run(procedure, library=library, overrides=overrides, refine=False)
+    if result.verdict != "error" or result.quality is None:
+        return result
+    half = {"run.time step": f"{result.quality.time_step / 2 * 1e6:g} µs"}
+    return run(procedure, library=library, overrides={**overrides, **half}, refine=False)
 
 
 def _legform_of(procedure: str | Path, library: Library, overrides: Overrides | None) -> str:

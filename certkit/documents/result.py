@@ -31,6 +31,9 @@ class Spread(Part):
     maximum: Figure
     mean: Figure
     standard_deviation: Figure
+    passing: Annotated[
+        Figure | None, Field(description="Share of the legs that pass; none where nothing is graded.")
+    ] = None
 
 
 class Uncertainty(Part):

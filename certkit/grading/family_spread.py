@@ -15,13 +15,16 @@ if TYPE_CHECKING:
 
     from certkit.documents.result import CriterionResult, Result
 
+LOOSE = 0.1
+"""Standard deviation over mean beyond which the certification tests do not determine a value."""
+
 
 def with_spread(results: Sequence[Result]) -> Result:
     """Return the first result with the spread of all of them.
 
     The first is the nominal leg: its values, curves and verdict stay. The members differ in what the
-    certification tests leave open, so the verdict is not made worse by one of them, but a remark says how
-    many pass.
+    certification tests leave open, so the verdict is not made worse by one of them, but remarks say how many
+    pass and what is not determined. A member whose run cannot be trusted is dropped.
 
     Parameters
     ----------
@@ -38,29 +41,34 @@ def with_spread(results: Sequence[Result]) -> Result:
     nominal = results[0]
     if any(result.procedure != nominal.procedure for result in results):
         raise UsageError("a spread is over one procedure; these results are of several")
+    trusted = [result for result in results[1:] if result.verdict != "error"]
+    legs = [nominal, *trusted]
     criteria = []
     for criterion in nominal.criteria:
-        values = [
-            c.value for r in results for c in r.criteria if c.id == criterion.id and c.value is not None
-        ]
-        spread = _spread(values)
+        spread = _spread([c for r in legs for c in r.criteria if c.id == criterion.id])
         criteria.append(criterion.model_copy(update={"spread": spread}) if spread is not None else criterion)
-    remarks = [*nominal.coded_remarks, _remark(results), *_outside(criteria, results)]
+    remarks = [*nominal.coded_remarks, _remark(legs)]
+    if len(legs) < len(results):
+        remarks.append(Reason.of("legs-dropped", count=len(results) - len(legs)))
+    remarks += [reason for criterion in criteria for reason in _undetermined(criterion)]
     return nominal.model_copy(update={"criteria": ListById(criteria), "coded_remarks": remarks}).with_id()
 
 
-def _spread(values: Sequence[float]) -> Spread | None:
-    """Return the spread of at least two values; the standard deviation is the sample's."""
+def _spread(criteria: Sequence[CriterionResult]) -> Spread | None:
+    """Return the spread of a criterion over legs; the standard deviation is the sample's."""
+    values = [criterion.value for criterion in criteria if criterion.value is not None]
     if len(values) < 2:
         return None
     mean = math.fsum(values) / len(values)
     variance = math.fsum((value - mean) ** 2 for value in values) / (len(values) - 1)
+    verdicts = [criterion.verdict for criterion in criteria if criterion.graded]
     return Spread(
         members=len(values),
         minimum=min(values),
         maximum=max(values),
         mean=mean,
         standard_deviation=math.sqrt(variance),
+        passing=verdicts.count("pass") / len(verdicts) if verdicts else None,
     )
 
 
@@ -75,14 +83,22 @@ def _remark(results: Sequence[Result]) -> Reason:
     return Reason.of("spread-over-family", legs=len(results), verdicts=verdicts)
 
 
-def _outside(criteria: Sequence[CriterionResult], results: Sequence[Result]) -> list[Reason]:
-    """Name graded criteria that some member does not pass."""
+def _undetermined(criterion: CriterionResult) -> list[Reason]:
+    """Say of a graded criterion that some legs pass and others do not, and of any that it is not determined.
+
+    A value is not determined where its standard deviation over the legs, which all pass the certification
+    tests, is more than `LOOSE` of its mean.
+    """
+    spread = criterion.spread
+    if spread is None:
+        return []
     said = []
-    for criterion in criteria:
-        verdicts = [c.verdict for r in results for c in r.criteria if c.id == criterion.id and c.graded]
-        passed = verdicts.count("pass")
-        if verdicts and passed < len(verdicts):
-            said.append(
-                Reason.of("legs-that-pass", criterion=criterion.id, passed=passed, legs=len(verdicts))
-            )
+    if spread.passing is not None and spread.passing < 1:
+        passed = round(spread.passing * spread.members)
+        said.append(Reason.of("legs-that-pass", criterion=criterion.id, passed=passed, legs=spread.members))
+    if spread.standard_deviation > LOOSE * abs(spread.mean):
+        low, high = spread.minimum, spread.maximum
+        said.append(
+            Reason.of("not-determined", criterion=criterion.id, low=low, high=high, unit=criterion.unit)
+        )
     return said

@@ -18,7 +18,7 @@ _DECIMALS = {"N·m": 1, "mm": 2, "N": 0, "kN": 2, "m/s²": 0, "deg": 1, "J": 2, 
 
 CONFIDENCE = {
     "verified": "read in the named text",
-    "secondary": "read in an account of it",
+    "secondary": "read in somebody's account of it",
     "recalled": "named text not read",
     "derived": "follows by arithmetic",
     "calibrated": "fitted to tests",

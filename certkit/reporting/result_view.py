@@ -127,10 +127,12 @@ def _unsure(criterion: CriterionResult, decimals: int, t: Callable[..., str]) ->
             share = unsure.false_accept * 100
             remarks.append(f"{t('false accept')} {words.plain(share, 2) if share >= 0.01 else '< 0.01'} %")
     if criterion.spread:
-        low, high = (words.fixed(v, decimals) for v in (criterion.spread.minimum, criterion.spread.maximum))
-        remarks.append(
-            t("{low} – {high} over {legs} legs", low=low, high=high, legs=criterion.spread.members)
-        )
+        spread = criterion.spread
+        low, high = (words.fixed(v, decimals) for v in (spread.minimum, spread.maximum))
+        remarks.append(t("{low} – {high} over {legs} legs", low=low, high=high, legs=spread.members))
+        remarks.append(f"{t('standard deviation')} {words.plain(spread.standard_deviation, 2)}")
+        if spread.passing is not None:
+            remarks.append(t("{percent} % of the legs pass", percent=f"{100 * spread.passing:.0f}"))
     return remarks
 
 

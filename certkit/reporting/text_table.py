@@ -133,7 +133,8 @@ def _spread(criterion: CriterionResult, decimals: int) -> str:
         words.fixed(v, decimals)
         for v in (spread.minimum, spread.maximum, spread.mean, spread.standard_deviation)
     )
-    return f"{low} to {high}, {mean} ± {deviation}"
+    share = "" if spread.passing is None else f", {100 * spread.passing:.0f} % pass"
+    return f"{low} to {high}, {mean} ± {deviation}{share}"
 
 
 def show(results: Sequence[Result], stream: TextIO | None = None) -> None:

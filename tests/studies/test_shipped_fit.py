@@ -17,7 +17,7 @@ from certkit.studies.quantity import split_quantity
 from certkit.studies.runs import Runs
 from certkit.studies.trial import Trial
 
-MEMBERS = 5
+MEMBERS = 40
 FAMILY = load("family", "flex-pli-gtr").document
 
 

@@ -65,6 +65,11 @@ REASONS = MappingProxyType(
         ),
         "count-of-verdict": "{count} {verdict:verdict}",
         "legs-that-pass": "{criterion}: {passed} of {legs} legs pass.",
+        "legs-dropped": "{count} legs of the family could not be run to be trusted and are left out.",
+        "not-determined": (
+            "{criterion} is not determined by the certification tests: legs that pass them gi"
+            "ve {low:.4g} to {high:.4g} {unit}."
+        ),
         # Decision rules.
         "simple-acceptance": "simple acceptance",
         "guard-band": "guard band w = {ratio:g}·U (ILAC-G8:09/2019)",
