@@ -8,7 +8,8 @@ import exudyn as exu
 import numpy as np
 from exudyn import itemInterface as items  # noqa: N813  # the module has that name
 
-from support.pendulum_oracle import Pendulum, Pose
+from support.leg_oracle import Pose
+from support.pendulum_oracle import Pendulum
 
 if TYPE_CHECKING:
     from collections.abc import Callable
