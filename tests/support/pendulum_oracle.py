@@ -107,7 +107,7 @@ class Pendulum(LegOracle):
         on_flesh[1:] -= pull
 
     def _overlap(self, p: Pose) -> tuple[Vector, Vector, Vector]:
-        """Return overlap with the bar, segment, and derivative of the overlap by its angle, strip by strip."""
+        """Return overlap with the bar, segment, and its derivative by the angle, strip by strip."""
         c, t = np.cos(p.bone[:, 2]), np.tan(p.bone[:, 2])
         low = p.bone[:, 1] + self.bottom * c
         row = (self.band[:, None] < low).sum(axis=1)
