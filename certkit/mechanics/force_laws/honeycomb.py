@@ -77,7 +77,7 @@ class Honeycomb(ForceLaw):
     thickness : float
         Of the flesh in front of the bone, m; 0 where it is off.
     compression, layer, compacted_at, wall, loss : float
-        Of the flesh, as in `FleshCompression`.
+        Of the flesh, where it is fitted, as in `FleshCompression`.
     crushed : State
         d_p, m: remembered from step to step.
     force : State
@@ -95,11 +95,11 @@ class Honeycomb(ForceLaw):
     strength: float
     elastic_depth: float
     thickness: float
-    compression: float
-    layer: float
-    compacted_at: float
-    wall: float
-    loss: float
+    compression: float = 0.0
+    layer: float = 1.0
+    compacted_at: float = 1.0
+    wall: float = 0.0
+    loss: float = 0.0
     crushed: State = 0.0
     force: State = 0.0
     flesh_depth: State = 0.0
