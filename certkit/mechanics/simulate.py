@@ -38,6 +38,8 @@ STEP = 2e-5
 """s: step halving changes no peak by more than 0.1 % at it."""
 UNTIL = 0.2
 """s after contact, where a procedure names no end."""
+TAIL = 0.002
+"""s recorded beyond the evaluated window, so that the window and not the record's end ends the search."""
 FRAME = 1e-3
 """s between two frames of the motion."""
 
@@ -188,6 +190,8 @@ def _plan(procedure: Procedure, rig: RigAssembly, step: float, iterations: int, 
     if rig.longest_approach > 0 and rig.contact_law is None:
         raise RunError("the legform moves, but nothing is there for it to hit; add a fixture that it hits")
     until = float(procedure.run.until or UNTIL)
+    if until > 10 * TAIL:
+        until += TAIL
     sample = sample or max(1, round(2 * STEP / step))
     frame = max(1, round(FRAME / (step * sample))) * sample
     return Plan(step, until, rig.longest_approach + until, sample, frame, rig.contact_law, iterations)
