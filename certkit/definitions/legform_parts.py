@@ -107,6 +107,15 @@ class Knee(Section):
     ligaments: Annotated[dict[str, Ligament], Field(min_length=1, description="By their names, such as MCL.")]
 
 
+class FarFlesh(Section):
+    """Flesh on the side away from the impact, where it is a mass a segment of its own."""
+
+    share: Annotated[Ratio, Field(description="Of the flesh's mass; the rest is on the impact side.")]
+    across: Annotated[Frequency, Field(description="Natural frequency along the impact.")]
+    along: Annotated[Frequency, Field(description="Natural frequency along the bone.")]
+    damping_ratio: Ratio
+
+
 class Flesh(Section):
     """Rubber and neoprene around the bones: a mass a segment on springs, and a layer that can be crushed."""
 
@@ -138,4 +147,8 @@ class Flesh(Section):
     ] = None
     damping_time: Annotated[
         Time | None, Field(description="Damping of the sleeve's bending divided by its stiffness.")
+    ] = None
+    far_side: Annotated[
+        FarFlesh | None,
+        Field(description="Both sides are one mass on the axis when missing, else each in its own middle."),
     ] = None

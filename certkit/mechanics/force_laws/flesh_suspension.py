@@ -29,6 +29,8 @@ class FleshSuspension(ForceLaw):
     bone, flesh : Body
     height : float
         Of the flesh at rest above the bone's centre of gravity, m.
+    offset : float
+        Of the flesh at rest from the bone's axis, towards the impact side, m.
     stiffness_across, stiffness_along : float
         k, N/m.
     damping_across, damping_along : float
@@ -40,6 +42,7 @@ class FleshSuspension(ForceLaw):
     bone: Body
     flesh: Body
     height: float
+    offset: float
     stiffness_across: float
     stiffness_along: float
     damping_across: float
@@ -64,7 +67,7 @@ class FleshSuspension(ForceLaw):
             vx = of_flesh.x - of_bone.x
             vz = of_flesh.z - of_bone.z
             turn = of_bone.angular
-            across, along = rx, rz - piece.height
+            across, along = rx - piece.offset, rz - piece.height
             across_rate = c * vx + s * vz + turn * rz
             along_rate = c * vz - s * vx - turn * rx
             damping_across = piece.damping_across * across_rate

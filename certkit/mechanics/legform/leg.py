@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from certkit.definitions.legform import Legform
-    from certkit.definitions.legform_parts import Flesh
+    from certkit.definitions.legform_parts import FarFlesh, Flesh
     from certkit.mechanics.legform.segments import Segment
     from certkit.mechanics.solver.world import Assembly
 
@@ -159,6 +159,23 @@ def _add_sleeve(assembly: Assembly, flesh: Flesh, upper: int, lower: int, curvat
     )
 
 
+def _suspension(
+    bone: int, body: int, place: tuple[float, float], mass: float, flesh: Flesh | FarFlesh
+) -> FleshSuspension:
+    """Return the springs and dampers that hold a piece of flesh at a place from the bone's centre."""
+    across, along = 2 * math.pi * flesh.across, 2 * math.pi * flesh.along
+    return FleshSuspension(
+        bone=bone,
+        flesh=body,
+        offset=place[0],
+        height=place[1],
+        stiffness_across=mass * across**2,
+        stiffness_along=mass * along**2,
+        damping_across=2 * flesh.damping_ratio * mass * across,
+        damping_along=2 * flesh.damping_ratio * mass * along,
+    )
+
+
 def _add_flesh(
     assembly: Assembly,
     legform: Legform,
@@ -174,19 +191,16 @@ def _add_flesh(
     for i, (segment, bone, centre) in enumerate(zip(segments, bodies, centres, strict=True)):
         mass = flesh.mass * segment.length / total
         height = (segment.top + segment.bottom) / 2
-        body = assembly.add_body(f"flesh {i + 1}", mass, 0.0, (0.0, height, 0.0))
-        across, along = 2 * math.pi * flesh.across, 2 * math.pi * flesh.along
-        assembly.add(
-            FleshSuspension(
-                bone=bone,
-                flesh=body,
-                height=height - centre,
-                stiffness_across=mass * across**2,
-                stiffness_along=mass * along**2,
-                damping_across=2 * flesh.damping_ratio * mass * across,
-                damping_along=2 * flesh.damping_ratio * mass * along,
-            )
-        )
+        far, offset = flesh.far_side, 0.0
+        if far is not None:
+            face = segment.depth / 2 if flesh.face is None else float(flesh.face)
+            offset = face + flesh.thickness / 2
+            place = (-offset, height, 0.0)
+            body = assembly.add_body(f"far flesh {i + 1}", mass * far.share, 0.0, place)
+            assembly.add(_suspension(bone, body, (-offset, height - centre), mass * far.share, far))
+            mass *= 1 - far.share
+        body = assembly.add_body(f"flesh {i + 1}", mass, 0.0, (offset, height, 0.0))
+        assembly.add(_suspension(bone, body, (offset, height - centre), mass, flesh))
         masses.append(body)
         heights.append(height)
     if flesh.tension > 0:

@@ -45,7 +45,8 @@ def recorded_motion(
             middle = (segment.top + segment.bottom) / 2
             moments.append(moment_at(leg, readings, middle, segment.part)[at])
     for body, segment in zip(leg.flesh, leg.segments, strict=False):
-        inner = rig.bone_face(segment)
+        # Where the far side has a mass of its own, that of the impact side is in its middle, not on the axis.
+        inner = rig.bone_face(segment) if rig.legform.flesh.far_side is None else -rig.cover / 2
         outline = box(inner, inner + rig.cover, -segment.length / 2, segment.length / 2)
         shapes.append(Shape(name=f"flesh {len(shapes)}", kind="flesh", outline=outline))
         bodies.append(body)

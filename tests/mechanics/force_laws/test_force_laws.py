@@ -258,16 +258,18 @@ def test_a_record_field_of_another_type_is_refused():
         record_type(Named)
 
 
-def swinging_flesh(damping: float) -> Trajectory:
+def swinging_flesh(damping: float, offset: float) -> Trajectory:
     """Let a piece of flesh swing across and along a turning bone; its shifts are read."""
     assembly = Assembly()
     bone = assembly.add_body("bone", 0.5, 0.002, (0.0, 0.0, 0.4), speed=(0.0, 0.0, 2.0))
-    flesh = assembly.add_body("flesh", 0.2, 0.0, (0.001, 0.01, 0.0), speed=(0.5, -0.3, 0.0))
+    beside = (0.001 + offset * np.cos(0.4), 0.01 + offset * np.sin(0.4), 0.0)
+    flesh = assembly.add_body("flesh", 0.2, 0.0, beside, speed=(0.5, -0.3, 0.0))
     assembly.add(
         FleshSuspension(
             bone=bone,
             flesh=flesh,
             height=0.01,
+            offset=offset,
             stiffness_across=4e4,
             stiffness_along=9e4,
             damping_across=damping,
@@ -280,8 +282,9 @@ def swinging_flesh(damping: float) -> Trajectory:
 
 
 @pytest.mark.parametrize("damping", [0.0, 8.0])
-def test_flesh_on_its_bone_keeps_momentum_spin_and_energy(damping: float):
-    run = swinging_flesh(damping)
+@pytest.mark.parametrize("offset", [0.0, -0.043])
+def test_flesh_on_its_bone_keeps_momentum_spin_and_energy(damping: float, offset: float):
+    run = swinging_flesh(damping, offset)
     speed, middle = np.diff(run.tracks, axis=0) / STEP, (run.tracks[1:] + run.tracks[:-1]) / 2
     mass = np.array([0.5, 0.2])
     momentum = (mass[:, None] * speed[:, :, :2]).sum(axis=1)

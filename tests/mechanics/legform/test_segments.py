@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from certkit.definitions.legform_parts import FarFlesh
 from certkit.definitions.loading.library import load
 from certkit.errors import RunError
 from certkit.mechanics.legform.leg import add_leg
@@ -84,3 +85,32 @@ def test_an_inertia_no_bone_can_have_is_refused(legform: Legform):
     impossible = legform.parts["tibia"].model_copy(update={"inertia": 0.01})
     with pytest.raises(RunError, match=r"no distribution of the tibia's mass"):
         bone_segments("tibia", impossible, 0.0)
+
+
+def test_flesh_on_both_sides_has_the_mass_of_the_flesh_and_stands_in_the_middle_of_each(legform: Legform):
+    far = FarFlesh.model_validate(
+        {
+            "origin": {"source": "for the test", "confidence": "estimated"},
+            "share": 0.4,
+            "across": "90 Hz",
+            "along": "60 Hz",
+            "damping ratio": 0.1,
+        }
+    )
+    both = legform.model_copy(update={"flesh": legform.flesh.model_copy(update={"far_side": far})})
+    segments = leg_segments(both)
+    assembly = Assembly()
+    add_leg(assembly, both, segments, flesh=True)
+    world = assembly.finish()
+    bodies = {
+        n: (m, p[0]) for n, m, p in zip(world.names, world.mass, world.pose, strict=True) if "flesh" in n
+    }
+    far_ones = [value for name, value in bodies.items() if name.startswith("far")]
+    assert len(bodies) == 2 * len(segments)
+    assert sum(mass for mass, _ in bodies.values()) == pytest.approx(legform.flesh.mass)
+    assert sum(mass for mass, _ in far_ones) == pytest.approx(0.4 * legform.flesh.mass)
+    assert all(x < 0 for _, x in far_ones)
+    places = sorted({round(abs(x), 9) for _, x in bodies.values()})
+    assert places == [
+        pytest.approx((depth + legform.flesh.thickness) / 2) for depth in sorted({s.depth for s in segments})
+    ]
