@@ -232,7 +232,8 @@ def _checked(
                 **more,
             )
         )
-    judged = _judged(run, groups)
+    faces = _judged(run, groups)
+    judged = [g.rms_percent for g in groups if g.name in faces]
     worst = max(judged) if judged else None
     return SelfCheck(
         id=key,
@@ -240,18 +241,18 @@ def _checked(
         start=start,
         interval=thinned,
         until=run.until,
-        groups=tuple(sorted(groups, key=lambda g: -g.rms_percent)),
+        groups=tuple(sorted(groups, key=lambda g: (g.name not in faces, -g.rms_percent))),
         mean_percent=float(np.mean(judged)) if judged else None,
         worst_percent=worst,
         within=None if worst is None else worst <= run.limit,
     )
 
 
-def _judged(run: _Run, groups: list[GroupCheck]) -> list[float]:
-    """Return the errors of the faces that move."""
+def _judged(run: _Run, groups: list[GroupCheck]) -> set[str]:
+    """Return the faces that move."""
     faces = {group.name for group in run.result.groups if group.position is not None}
     most = max((g.run_peak for g in groups if g.name in faces), default=0.0)
-    return [g.rms_percent for g in groups if g.name in faces and g.run_peak >= STILL * most]
+    return {g.name for g in groups if g.name in faces and g.run_peak >= STILL * most}
 
 
 def _channels(run: _Run, done: Simulation) -> tuple[ChannelCheck, ...]:

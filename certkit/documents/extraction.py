@@ -156,7 +156,7 @@ class SelfCheck(Part):
     start, interval, until : float
         Time axis of the series, from the run's start; the end of the comparison, s.
     groups : tuple of GroupCheck
-        The worst first.
+        Faces that move first, the worst of them at the head.
     channels : tuple of ChannelCheck
         The worst first.
     mean_percent, worst_percent : float or None

@@ -15,6 +15,8 @@ from certkit.files import write_whole
 from certkit.reporting.attachments import Enclosure
 from certkit.reporting.charts.grid import sheet as side_by_side
 from certkit.reporting.charts.lines import Line, lines_chart
+from certkit.reporting.extraction_checks import check_views
+from certkit.reporting.palette import PENS
 from certkit.reporting.pdf_certificate import creation_date
 from certkit.reporting.pdf_engine import typeset
 from certkit.reporting.static_page import sheet
@@ -107,8 +109,15 @@ def extraction_drawing(result: ExtractionResult, what: str, paths: Sequence[str]
 
 
 def _momentum(result: ExtractionResult, times: list[float]) -> Drawing | None:
-    lines: list[Line] = [(group.name, times, group.momentum) for group in result.groups]
-    return lines_chart(lines, "Momentum of the groups", "ms", "N·s") if lines else None
+    """Draw the momenta in panels by kind, so that no two groups of a panel share a pen."""
+    panels = []
+    for kind in dict.fromkeys(group.kind for group in result.groups):
+        groups = [group for group in result.groups if group.kind == kind]
+        for start in range(0, len(groups), len(PENS)):
+            lines: list[Line] = [(g.name, times, g.momentum) for g in groups[start : start + len(PENS)]]
+            title = f"Momentum, {kind}"
+            panels.append(lines_chart(lines, title, "ms", "N·s", width=WIDTH, height=HEIGHT))
+    return side_by_side(panels, "Momentum of the groups") if panels else None
 
 
 def _parts(result: ExtractionResult) -> dict[str, Any]:
@@ -118,6 +127,7 @@ def _parts(result: ExtractionResult) -> dict[str, Any]:
         "momentum": _momentum(result, times),
         "paths": [PathView(path, _drawings(path, times) if any(path.force) else []) for path in result.paths],
         "material": _material(result.material) if result.material else None,
+        "checks": check_views(result),
     }
 
 
@@ -135,7 +145,10 @@ def _drawings(path: PathResult, times: list[float], *, head: str = "") -> list[D
         lines_chart([("impulse", times, path.impulse)], head or "Impulse", "ms", "N·s", **size),
         lines_chart(forces, head or "Force", "ms", "N", **size),
     ]
-    if any(path.shortening):  # a contact between groups that merely touch has none
+    if path.sheet is not None:
+        lines: list[Line] = [("path", [1e3 * at for at in path.sheet.progress], path.sheet.force)]
+        drawn.append(lines_chart(lines, head or "Sheet, pushed in", "progress, mm", "N", **size))
+    elif any(path.shortening):  # a contact between groups that merely touch has none
         drawn.append(lines_chart(laws, head or "Stiffness", "shortening, mm", "N", **size))
     return drawn
 

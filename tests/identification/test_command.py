@@ -75,3 +75,22 @@ def test_an_unknown_report_format_is_refused_before_anything_is_read(case: Path)
     done = certkit("extract", case, "--format", "docx", folder=case.parent)
     assert done.returncode == 2
     assert "no extraction in the format `docx`; use html, pdf" in done.stderr
+
+
+def test_an_impulse_that_does_not_close_ends_with_exit_code_1_and_without_a_vehicle(case: Path) -> None:
+    text = case.read_text().replace("back_beam: {mass: 3.91872 kg", "back_beam: {mass: 3.9 kg")
+    case.write_text(text.replace("contact: fascia-foam", "contact: impactor-fascia", 1))
+    done = certkit("extract", case, "--out", "found", "--format", "none", folder=case.parent)
+    assert done.returncode == 1
+    assert "does not close" in done.stderr
+    assert not (case.parent / "found" / "vehicle.yaml").exists()
+    told = certkit("extract", case, "--out", "told", "--format", "none", "--unclosed", folder=case.parent)
+    assert told.returncode == 1
+    assert (case.parent / "told" / "vehicle.yaml").exists()
+
+
+def test_a_front_that_does_not_move_as_in_its_run_ends_with_exit_code_3(case: Path) -> None:
+    case.write_text(case.read_text() + "settings: {movement limit: 0.01}\n")
+    done = certkit("extract", case, "--out", "found", "--format", "none", folder=case.parent)
+    assert done.returncode == 3
+    assert "cannot be trusted: The front alone" in done.stderr
