@@ -104,6 +104,12 @@ class Spring(Section):
     gap: Annotated[Length | None, Field(description="Free travel before the spring acts.")] = None
     tension: Annotated[bool, Field(description="Whether the spring also pulls.")] = False
     bottoming: Bottoming | None = None
+    seen: Annotated[
+        Length | None,
+        Field(
+            description="Largest shortening that the curve was read from; a run beyond it is remarked upon."
+        ),
+    ] = None
 
     @model_validator(mode="after")
     def _possible(self) -> Self:

@@ -52,15 +52,19 @@ def vehicle_text(result: ExtractionResult) -> str:
     lines += [line for group in groups for line in _group(group)]
     lines.append("springs:")
     known = {g.name for g in groups} | {GROUND}
-    springs: list[tuple[str, str, LawResult]] = []
+    springs: list[tuple[str, str, LawResult, float]] = []
     for path in result.paths:
         if path.law is None or path.source in held:
             continue
         target = GROUND if path.target in held else path.target
         if path.source in known and target in known:
-            springs.append((path.source, target, path.law))
-    for name, (source, target, law) in zip(spring_names([s[:2] for s in springs]), springs, strict=True):
+            springs.append((path.source, target, path.law, max(path.shortening)))
+    for name, (source, target, law, seen) in zip(
+        spring_names([s[:2] for s in springs]), springs, strict=True
+    ):
         lines += _spring(name, source, target, law)
+        if seen > 0:
+            lines.append(f"    seen: {_number(1e3 * seen)} mm")
     sheets = [
         (path.source, path.target, path.sheet)
         for path in result.paths

@@ -1,0 +1,120 @@
+"""What a front's folding faces, sheets and recorded contacts do, seen on one or two bodies at a time."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from certkit.identification.sheet_law import sheet_law
+from certkit.mechanics.fixtures.recorded_tables import add_path, add_tables
+from certkit.mechanics.force_laws.folding_face_contact import FoldingFaceContact
+from certkit.mechanics.force_laws.law import OutlinePiece
+from certkit.mechanics.force_laws.recorded_contact import RecordedContact
+from certkit.mechanics.force_laws.sheet_link import SheetLink
+from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
+from certkit.mechanics.solver.world import GROUND, Assembly
+
+STEP = 1e-5
+NOTHING = (np.array([1.0]), np.zeros((1, 2)))
+
+
+def pushed(
+    force: float, duration: float, mass: float, *, sheet: dict[str, float] | None = None
+) -> Trajectory:
+    """Push a mass for a while, held by a sheet to the ground where one is given."""
+    assembly = Assembly()
+    body = assembly.add_body("mass", mass, 0.0, (0.0, 0.0, 0.0), guided=True)
+    time = np.array([0.0, 1e-9, duration, duration + 1e-9, 1.0])
+    values = np.array([0.0, force, force, 0.0, 0.0])
+    start, points = add_tables(assembly, time, np.column_stack([values, np.zeros(5)]))
+    assembly.add(RecordedContact(group=body, start=start, points=points, on_leg=0, thickness=0.0))
+    if sheet is not None:
+        way = (np.array([0.0, 0.01]), np.array([[0.0, 0.0], [0.02, sheet["force"]]]))
+        assembly.add(
+            SheetLink(
+                first=body,
+                second=GROUND,
+                first_rest=0.0,
+                second_rest=0.0,
+                stiffness=sheet["stiffness"],
+                damping=sheet["damping"],
+                **add_path(assembly, way, NOTHING),
+            )
+        )
+    return run_world(assembly.finish(), Plan(STEP, 0.02, 0.0), tracked=[body])
+
+
+def test_a_recorded_force_gives_a_mass_its_impulse_and_no_more() -> None:
+    run = pushed(500.0, 0.004, 2.0)
+    speed = np.gradient(run.tracks[:, 0, 0], STEP)
+    assert speed[-10] == pytest.approx(500.0 * 0.004 / 2.0, rel=0.01)
+
+
+def test_a_sheet_on_its_recorded_path_gives_the_recorded_force() -> None:
+    # The path's shortening is what the body's displacement makes of it: x₀ = 2ξ = X, so nothing deviates.
+    run = pushed(500.0, 0.02, 2.0, sheet={"force": 400.0, "stiffness": 1e5, "damping": 0.0})
+    x = run.tracks[:, 0, 0]
+    at = int(np.argmin(np.abs(x - 0.01)))
+    acceleration = np.gradient(np.gradient(x, STEP), STEP)
+    assert 2.0 * acceleration[at] == pytest.approx(500.0 - 400.0 * 0.01 / 0.02, rel=0.02)
+
+
+def test_a_sheet_keeps_the_energy_of_what_it_is_pushed_with() -> None:
+    run = pushed(500.0, 0.004, 2.0, sheet={"force": 100.0, "stiffness": 1e4, "damping": 5.0})
+    total = run.kinetic + run.stored.sum(axis=1) + run.dissipated.sum(axis=1)
+    assert np.abs(total).max() < 0.01 * run.kinetic.max()
+
+
+def test_a_sheet_law_repeats_a_force_that_is_no_function_of_the_shortening() -> None:
+    time = np.linspace(0.0, 0.04, 801)
+    first = 0.08 * np.sin(np.pi * time / 0.04)
+    second = first - 0.005 * np.sin(4 * np.pi * time / 0.04)
+    force = 900.0 * np.sin(np.pi * time / 0.04) ** 3
+    law = sheet_law(first, second, force, (0.1, 0.1))
+    assert law is not None
+    assert law.misfit < 3
+    shortening = first - second
+    meets = [force[np.abs(shortening - x).argsort()[:8]] for x in (-0.002, 0.002)]
+    assert all(np.ptp(forces) > 300 for forces in meets)  # one shortening, many forces
+
+
+def struck(shift: float) -> Trajectory:
+    """Throw an upright body with flesh at a face on a mass; its outline shifts as it is pushed in."""
+    assembly = Assembly()
+    leg = assembly.add_body("leg", 5.0, 0.1, (0.0, 0.0, 0.0), speed=(5.0, 0.0, 0.0))
+    face = assembly.add_body("face", 1.0, 0.0, (0.0, 0.0, 0.0), guided=True)
+    assembly.add_outline(OutlinePiece(body=leg, top=0.2, bottom=-0.2, face=0.0, width=0.05))
+    way = (np.array([0.0, 0.02]), np.array([[0.031, 0.0, 0.05], [0.031 + shift, 0.0, 0.05]]))
+    assembly.add(
+        FoldingFaceContact(
+            group=face,
+            rest=0.0,
+            compression=1e6,
+            layer=math.inf,
+            compacted_at=math.inf,
+            wall=0.0,
+            loss=0.0,
+            thickness=0.03,
+            friction=0.0,
+            **add_path(assembly, way, (np.array([1.0]), np.zeros((1, 3)))),
+        )
+    )
+    return run_world(assembly.finish(), Plan(STEP, 0.02, 0.0), tracked=[leg, face])
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.01])
+def test_a_folding_face_takes_the_momentum_that_the_leg_loses(shift: float) -> None:
+    run = struck(shift)
+    leg, face = (np.gradient(run.tracks[:, k, 0], STEP)[-10] for k in (0, 1))
+    assert 5.0 * leg + 1.0 * face == pytest.approx(25.0, rel=1e-3)
+    assert face > 5.0
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.01])
+def test_what_a_face_gives_way_by_its_own_folding_is_counted(shift: float) -> None:
+    run = struck(shift)
+    total = run.kinetic + run.stored.sum(axis=1) + run.dissipated.sum(axis=1)
+    assert np.abs(total - total[0]).max() < 0.005 * total[0]
+    assert (run.dissipated[-1].sum() > 0.5) == (shift > 0)
