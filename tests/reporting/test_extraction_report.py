@@ -136,7 +136,7 @@ def test_the_figure_command_tells_an_extraction_from_a_result(
     extraction: ExtractionResult, tmp_path: Path
 ) -> None:
     document = tmp_path / "extraction.json"
-    document.write_text(extraction.to_json())
+    document.write_text(extraction.with_id().to_json())
     name, contents = figure_files(document, "stiffness", ["svg"], channels=["foam"])
     assert name == "bumper"
     assert contents["svg"].startswith(b"<svg")
