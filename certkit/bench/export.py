@@ -6,14 +6,15 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from certkit.bench.result_folder import write_alone
 from certkit.bench.sources import load_source
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.channel_tables import all_channels
 from certkit.definitions.loading.validation import read_document
 from certkit.documents.unverified import MARK, is_marked
 from certkit.errors import UsageError
-from certkit.exchange.channels_csv import write_csv
-from certkit.exchange.mme_write import write_mme
+from certkit.exchange.channels_csv import csv_text
+from certkit.exchange.mme_write import mme_archive, write_mme
 from certkit.reporting.language import worded_reasons
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ def export(
     mapping: str | Path | None = None,
     library: Library = (),
     unverified: bool = False,
+    force: bool = False,
 ) -> Path:
     """Write a recording as ISO-MME folder, archive (`.zip`) or CSV (`.csv`), as the target's name says.
 
@@ -44,6 +46,8 @@ def export(
         Folders with own legforms.
     unverified : bool
         Export a result that was changed since certkit wrote it as well, and say so in the file.
+    force : bool
+        Replace a file of other content.
 
     Returns
     -------
@@ -55,7 +59,7 @@ def export(
     DataError
         When the source cannot be read, or was changed.
     UsageError
-        When the target's name ends in something else, or its folder exists.
+        When the target's name ends in something else, its folder exists, or its file with other content.
     """
     target = Path(target)
     own = read_document(Path(mapping), Mapping, all_channels(library)) if mapping is not None else None
@@ -63,10 +67,15 @@ def export(
         raise UsageError(f"{target}: name a folder (ISO-MME), a .zip (ISO-MME archive) or a .csv file")
     loaded = load_source(source, library=library, unverified=unverified)
     if target.suffix.lower() == ".csv":
-        write_csv(loaded.recording, target, result_id=MARK if is_marked(loaded.result) else "")
+        marked = MARK if is_marked(loaded.result) else ""
+        write_alone(target, csv_text(loaded.recording, result_id=marked), force=force)
         return target
-    title = loaded.result.title if loaded.result else ""
-    write_mme(_worded(loaded.recording), target, header={"Title": title} if title else {}, mapping=own)
+    header = {"Title": loaded.result.title} if loaded.result else {}
+    recording = _worded(loaded.recording)
+    if target.suffix.lower() == ".zip":
+        write_alone(target, mme_archive(recording, target.stem, header, own), force=force)
+    else:
+        write_mme(recording, target, header=header, mapping=own)
     return target
 
 

@@ -5,25 +5,34 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from certkit.bench.result_folder import AnotherResultError, result_switch, suite_switch
+from certkit.errors import RunError
 from certkit.files import write_whole
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Sequence
+    from collections.abc import Callable, Collection, Sequence
 
     from certkit.documents.output_document import OutputDocument
     from certkit.documents.result import Result
     from certkit.reporting.pdf_certificate import Paper
 
 
-def render(
+def render(  # noqa: PLR0913  # as many as the command has options
     document: OutputDocument,
     out: str | Path,
     formats: str | Collection[str] | None = None,
     *,
     paper: Paper = "A4",
     language: str = "en",
+    force: bool = False,
+    numbered: bool = False,
+    tell: Callable[[str], None] = lambda _: None,
+    beside: Callable[[Path], Sequence[Path]] = lambda _: (),
 ) -> list[Path]:
     """Write a document as JSON, and the wanted reports of it.
+
+    All appear in the folder at once, after they have been brought to the disk; an old result is replaced as a
+    whole, with all its pages, or not at all. Files that certkit did not write there stay.
 
     Parameters
     ----------
@@ -39,6 +48,14 @@ def render(
         Page size of the PDF, where there is a choice.
     language : str
         Of page and PDF: `en`, `de`, `ja`. The document's id is the same in each.
+    force : bool
+        Replace another result that the folder holds. The same result again is replaced without.
+    numbered : bool
+        Where the folder holds another result, take the first of `out-2`, `out-3` … that does not.
+    tell : callable
+        Told of a folder that was passed over, and of waiting for another process.
+    beside : callable
+        Given a folder, writes further files of this document into it and returns them.
 
     Returns
     -------
@@ -48,31 +65,123 @@ def render(
     Raises
     ------
     UsageError
-        When there is no such report of the document; nothing is written then.
+        When there is no such report of the document, or the folder holds another result; nothing is written
+        then.
     RunError
         When the PDF's libraries are missing; all other formats are written by then.
     """
-    folder = Path(out)
+    folder = wanted = Path(out)
     asked = reports_of(document, formats)
-    file = folder / document.file_name
-    text = document.to_json()
-    write_whole(file, text)
-    written = [file, *_vehicle(document, folder)]
-    if not asked:
+    number = 1
+    while True:
+        try:
+            written = _render(document, folder, asked, paper, language, force=force, tell=tell, beside=beside)
+        except AnotherResultError:
+            if not numbered:
+                raise
+            number += 1
+            folder = wanted.with_name(f"{wanted.name}-{number}")
+            continue
+        if folder != wanted:
+            tell(f"{wanted} holds another result and stays; this one is in {folder} (`--force` overwrites)")
         return written
-    from certkit.reporting.document_reports import render_document  # noqa: PLC0415  # likewise
-
-    # From the text, whose numbers are rounded: reports are the ones that the document alone makes.
-    return [*written, *render_document(document.from_json(text), folder, asked, paper=paper, spoken=language)]
 
 
-def render_suite(
-    results: Sequence[Result], out: str | Path, formats: str | Collection[str], *, language: str = "en"
+def _render(  # noqa: PLR0913  # what `render` is asked for
+    document: OutputDocument,
+    folder: Path,
+    asked: list[str],
+    paper: Paper,
+    language: str,
+    *,
+    force: bool,
+    tell: Callable[[str], None],
+    beside: Callable[[Path], Sequence[Path]],
 ) -> list[Path]:
-    """Write the index page and the bound certificate of several results."""
+    late: RunError | None = None
+    with result_switch(folder, document, force=force, tell=tell) as stage:
+        text = document.to_json()
+        write_whole(stage / document.file_name, text)
+        written = [stage / document.file_name, *_vehicle(document, stage), *beside(stage)]
+        if asked:
+            from certkit.reporting.document_reports import render_document  # noqa: PLC0415  # likewise
+
+            # From the text, whose numbers are rounded: reports are the ones that the document alone makes.
+            again = document.from_json(text)
+            try:
+                written += render_document(again, stage, asked, paper=paper, spoken=language)
+            except RunError as error:
+                late = error  # the other formats are there, and count
+    if late is not None:
+        raise late
+    return [folder / path.relative_to(stage) for path in written]
+
+
+def render_pages(
+    document: OutputDocument,
+    out: Path,
+    formats: Collection[str] | None,
+    *,
+    paper: Paper = "A4",
+    language: str = "en",
+    sign: Path | None = None,
+    force: bool = False,
+) -> list[Path]:
+    """Write the reports of a document without the document itself; PDFs signed with a key where one is given.
+
+    Returns
+    -------
+    list of Path
+
+    Raises
+    ------
+    UsageError
+        When there is no such report, or the folder holds another result.
+    """
+    from certkit.reporting.document_reports import render_document  # noqa: PLC0415  # as above
+
+    asked = reports_of(document, formats)
+    with result_switch(out, document, force=force) as stage:
+        written = render_document(document, stage, asked, paper=paper, spoken=language)
+        _sign(written, sign)
+    return [out / path.relative_to(stage) for path in written]
+
+
+def render_suite(  # noqa: PLR0913  # as many as the command has options
+    results: Sequence[Result],
+    out: str | Path,
+    formats: str | Collection[str],
+    *,
+    title: str = "Certification suite",
+    paper: Paper = "A4",
+    language: str = "en",
+    sign: Path | None = None,
+    force: bool = False,
+) -> list[Path]:
+    """Write the index page and the bound certificate of several results.
+
+    Raises
+    ------
+    UsageError
+        When there are such files of other results, and `force` is not given.
+    """
     from certkit.reporting import render_suite as write  # noqa: PLC0415  # likewise
 
-    return write(results, Path(out), split(formats), spoken=language)
+    with suite_switch(Path(out), results, force=force) as stage:
+        written = write(results, stage, split(formats), title=title, paper=paper, spoken=language)
+        _sign(written, sign)
+    return [Path(out) / path.relative_to(stage) for path in written]
+
+
+def _sign(written: Sequence[Path], key: Path | None) -> None:
+    """Sign the PDFs among the files."""
+    if key is None:
+        return
+    from certkit.reporting.signing import sign  # noqa: PLC0415  # an extra
+
+    for path in written:
+        if path.suffix == ".pdf":
+            write_whole(path, sign(path.read_bytes(), key))
 
 
 def reports_of(

@@ -28,6 +28,7 @@ def calibrate(
     fresh: Annotated[
         bool, typer.Option("--fresh", help="Forget the runs that an earlier call has done.")
     ] = False,
+    force: options.Force = False,
     library: options.Libraries = None,
     as_json: options.AsJson = False,
     quiet: options.Quiet = False,
@@ -60,7 +61,7 @@ def calibrate(
 
     with resumable():
         written, report = carry_and_write(
-            task, folder, family=family, processes=processes, cluster=cluster, tell=tell
+            task, folder, family=family, processes=processes, cluster=cluster, tell=tell, force=force
         )
     if watched and sys.stderr.isatty():
         sys.stderr.write("\r\033[K")

@@ -43,6 +43,7 @@ def compare(
     formats: Annotated[
         str, typer.Option("--format", help="`html`, or `none`. The JSON is always written.")
     ] = "html",
+    force: options.Force = False,
     library: options.Libraries = None,
     unverified: options.Unverified = False,
     as_json: options.AsJson = False,
@@ -70,7 +71,15 @@ def compare(
     folder = out or Path("runs") / f"compare-{document.reference.label}-{document.other.label}".replace(
         " ", "-"
     )
-    render(document, folder, wanted)
+    written = render(
+        document,
+        folder,
+        wanted,
+        force=force,
+        numbered=out is None,
+        tell=lambda what: typer.echo(what, err=True),
+    )
+    folder = written[0].parent
     typer.echo(document.to_json() if as_json else comparison_text(document), nl=not as_json)
     page = folder / "comparison.html"
     typer.echo(f"look at {page}" if page.exists() else f"written to {folder}", err=True)

@@ -92,6 +92,11 @@ def folder(out: Path | None, name: str, *, several: bool) -> Path:
     return out / name if several else out
 
 
+def tell(what: str) -> None:
+    """Say something on standard error, whoever watches."""
+    typer.echo(what, err=True)
+
+
 def tell_files(written: Sequence[Path]) -> None:
     """Name the files that were written."""
     for path in written:

@@ -26,6 +26,7 @@ def export(
     target: Target,
     *,
     mapping: MappingFile = None,
+    force: options.Force = False,
     library: options.Libraries = None,
     unverified: options.Unverified = False,
 ) -> None:
@@ -35,5 +36,12 @@ def export(
     """
     from certkit.bench.export import export as write  # noqa: PLC0415  # numpy waits until it is needed
 
-    write(source, target, mapping=mapping, library=tuple(library or ()), unverified=unverified)
+    write(
+        source,
+        target,
+        mapping=mapping,
+        force=force,
+        library=tuple(library or ()),
+        unverified=unverified,
+    )
     typer.echo(f"wrote {target}; `certkit grade --procedure NAME {target}` grades it again", err=True)

@@ -40,6 +40,7 @@ def extract(
     ] = False,
     out: options.Out = None,
     formats: options.Formats = DEFAULT_FORMATS,
+    force: options.Force = False,
     overrides: options.Overrides = None,
     as_json: options.AsJson = False,
     quiet: options.Quiet = False,
@@ -70,8 +71,15 @@ def extract(
     )
     if not result.closed and not unclosed:
         result = result.model_copy(update={"vehicle": None}).with_id()
-    target = out or Path("runs") / result.case
-    render(result, target, wanted)
+    written = render(
+        result,
+        out or Path("runs") / result.case,
+        wanted,
+        force=force,
+        numbered=out is None,
+        tell=lambda what: typer.echo(what, err=True),
+    )
+    target = written[0].parent
     if as_json:
         typer.echo(result.to_json(), nl=False)
     else:

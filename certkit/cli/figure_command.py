@@ -41,12 +41,13 @@ def figure(
         typer.Option("--out", help="File without its ending.", show_default="PROCEDURE-WHAT beside the JSON"),
     ] = None,
     unverified: options.Unverified = False,
+    force: options.Force = False,
 ) -> None:
     """Draw one figure.
 
     `certkit figure runs/pendulum/result.json --what history --channel T1 --format svg,png`
     """
-    from certkit.files import write_whole  # noqa: PLC0415  # nothing of this is needed for `--help`
+    from certkit.bench.result_folder import write_alone  # noqa: PLC0415  # nothing of this is needed for `--help`
     from certkit.reporting.figure_files import figure_files  # noqa: PLC0415  # likewise
 
     wanted = [name.strip() for name in formats.split(",") if name.strip()]
@@ -56,5 +57,5 @@ def figure(
     base = out or result.parent / f"{name}-{what}"
     for form, content in contents.items():
         path = base.with_name(f"{base.name}.{form}")
-        write_whole(path, content)
+        write_alone(path, content, force=force)
         typer.echo(f"wrote {path}", err=True)

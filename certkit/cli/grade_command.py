@@ -53,6 +53,7 @@ def grade(
     out: GradeOut = None,
     formats: options.Formats = options.DEFAULT_FORMATS,
     language: options.Language = "en",
+    force: options.Force = False,
     overrides: options.Overrides = None,
     library: options.Libraries = None,
     allow: options.Allow = None,
@@ -63,10 +64,13 @@ def grade(
     """Grade a measured test and write its report.
 
     `certkit grade --procedure pendulum DATA --lab lab.yaml` checks the preconditions first, then conditions,
-    filters and measures the channels as it does for a simulated test. The exit code is the verdict's.
+    filters and measures the channels as it does for a simulated test. The exit code is the verdict's. Several
+    recordings of one name are told apart by the folders they lie in. A folder that holds another result is
+    refused, unless `--force` is given; without `--out` the next free `runs/NAME-2` is taken.
     """
     from certkit.bench.grade_measurement import grade as grade_test  # noqa: PLC0415  # numpy waits
     from certkit.bench.render_documents import render  # noqa: PLC0415  # likewise
+    from certkit.bench.result_folder import distinct_names  # noqa: PLC0415  # likewise
     from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
     from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
 
@@ -75,12 +79,13 @@ def grade(
     permitted = terminal.allowed(allow)
     several = len(data) > 1
     folder = out or Path("runs")
+    names = distinct_names([(path.stem, path.absolute().parent.name) for path in data])
     results: list[Result] = []
     failures: list[CertkitError] = []
     with terminal.progress(len(data), quiet=quiet or as_json) as step:
-        for path in data:
+        for path, name in zip(data, names, strict=True):
             step(path.name)
-            place = folder / path.stem if several or out is None else folder
+            place = folder / name if several or out is None else folder
             try:
                 result = grade_test(
                     procedure,
@@ -91,11 +96,20 @@ def grade(
                     library=tuple(library or ()),
                     overrides=overrides_from(overrides or ()),
                 )
-                written = render(result, place, wanted, language=language)
+                written = render(
+                    result,
+                    place,
+                    wanted,
+                    language=language,
+                    force=force,
+                    numbered=out is None,
+                    tell=terminal.tell,
+                )
             except CertkitError as error:
                 # One damaged recording must not take the others with it.
                 failures.append(error)
                 continue
+            place = written[0].parent
             results.append(result)
             if verbose:
                 terminal.tell_files(written)

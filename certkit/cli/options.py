@@ -30,6 +30,9 @@ Libraries = Annotated[
 Language = Annotated[
     str, typer.Option("--language", metavar="CODE", help="Language of page and PDF: en, de or ja.")
 ]
+Force = Annotated[
+    bool, typer.Option("--force", help="Overwrite another result that stands where this one goes.")
+]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only the verdict table and errors.")]
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Also tell what is done, step by step.")]
 Unverified = Annotated[

@@ -49,34 +49,37 @@ def report(
         ),
     ] = None,
     unverified: options.Unverified = False,
+    force: options.Force = False,
     title: Annotated[str, typer.Option("--title", help="Title of a suite.")] = "Certification suite",
 ) -> None:
     """Render any document that certkit wrote again, from its JSON alone: the same bytes as before."""
-    from certkit.documents.document_kinds import read_documents  # noqa: PLC0415  # pydantic waits until now
+    from certkit.bench.render_documents import render_pages, render_suite  # noqa: PLC0415  # pydantic waits until now
+    from certkit.bench.result_folder import distinct_names, folder_name  # noqa: PLC0415  # likewise
+    from certkit.documents.document_kinds import read_documents  # noqa: PLC0415  # likewise
     from certkit.documents.result import Result  # noqa: PLC0415  # likewise
-    from certkit.files import write_whole  # noqa: PLC0415  # likewise
-    from certkit.reporting import render_suite  # noqa: PLC0415  # likewise
-    from certkit.reporting.document_reports import render_document  # noqa: PLC0415  # likewise
-    from certkit.reporting.signing import sign as sign_pdf  # noqa: PLC0415  # likewise
 
     wanted = None if formats is None else [name.strip() for name in formats.split(",") if name.strip()]
     documents = [
         (path, document) for path in results for document in read_documents(path, unverified=unverified)
     ]
+    names = distinct_names([(folder_name(doc, path), path.absolute().parent.name) for path, doc in documents])
     written: list[Path] = []
-    for path, document in documents:
-        name = document.procedure if isinstance(document, Result) else path.stem
-        folder = path.parent if out is None else out / name if len(results) > 1 else out
-        written += render_document(document, folder, wanted, paper=paper.value, spoken=language)
+    for (path, document), name in zip(documents, names, strict=True):
+        folder = path.parent if out is None else out / name if len(documents) > 1 else out
+        written += render_pages(
+            document, folder, wanted, paper=paper.value, language=language, sign=sign, force=force
+        )
     tests = [document for _, document in documents if isinstance(document, Result)]
     if len(tests) > 1:
-        folder = results[0].parent.parent if out is None else out
         written += render_suite(
-            tests, folder, wanted or ["html", "pdf"], title=title, paper=paper.value, spoken=language
+            tests,
+            results[0].parent.parent if out is None else out,
+            wanted or ["html", "pdf"],
+            title=title,
+            paper=paper.value,
+            language=language,
+            sign=sign,
+            force=force,
         )
-    if sign is not None:
-        for path in written:
-            if path.suffix == ".pdf":
-                write_whole(path, sign_pdf(path.read_bytes(), sign))
     for path in written:
         typer.echo(f"wrote {path}", err=True)

@@ -47,6 +47,7 @@ def run(
     out: options.Out = None,
     formats: options.Formats = options.DEFAULT_FORMATS,
     language: options.Language = "en",
+    force: options.Force = False,
     overrides: options.Overrides = None,
     library: options.Libraries = None,
     allow: options.Allow = None,
@@ -57,9 +58,11 @@ def run(
     """Simulate a test, grade it and write its certificate.
 
     `certkit run pendulum` writes `runs/pendulum/` with the report as HTML and PDF, a JUnit file,
-    the channels as CSV and the result document. The exit code is the verdict's.
+    the channels as CSV and the result document. The exit code is the verdict's. Where that folder holds
+    another result, this one goes to `runs/pendulum-2`; with `--out` it is refused, unless `--force` is given.
     """
     from certkit.bench.render_documents import render, render_suite  # noqa: PLC0415  # numpy waits until a test is run
+    from certkit.bench.result_folder import distinct_names  # noqa: PLC0415  # likewise
     from certkit.bench.run_simulation import run as simulate  # noqa: PLC0415  # likewise
     from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
     from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
@@ -71,26 +74,41 @@ def run(
     changes = overrides_from(overrides or ())
     call = _family if family else simulate
     results: list[Result] = []
+    folders: list[Path] = []
+    used: list[tuple[str, str]] = []
     failures: list[CertkitError] = []
     with terminal.progress(len(names), quiet=quiet or as_json) as step:
         for name in names:
             step(name)
             try:
                 result = call(name, library=tuple(library or ()), overrides=changes)
-                target = terminal.folder(out, result.procedure, several=len(names) > 1)
-                written = render(result, target, wanted, language=language)
+                used.append((result.procedure, ""))
+                target = terminal.folder(out, distinct_names(used)[-1], several=len(names) > 1)
+                written = render(
+                    result,
+                    target,
+                    wanted,
+                    language=language,
+                    force=force,
+                    numbered=out is None,
+                    tell=terminal.tell,
+                )
             except CertkitError as error:
                 # One procedure that cannot be run must not take the others with it.
                 failures.append(error)
                 continue
             results.append(result)
+            folders.append(written[0].parent)
             if verbose:
                 terminal.tell_files(written)
         if len(results) > 1:
-            render_suite(results, out or Path("runs"), wanted, language=language)
-    place = out or Path("runs")
-    if len(names) == 1 and results:
-        place = terminal.folder(out, results[0].procedure, several=False)
+            try:
+                render_suite(
+                    results, out or Path("runs"), wanted, language=language, force=force or out is None
+                )
+            except CertkitError as error:
+                failures.append(error)
+    place = folders[0] if len(names) == 1 and results else out or Path("runs")
     terminal.show(results, as_json=as_json, folder=place)
     raise typer.Exit(terminal.exit_code(results, permitted, failures))
 

@@ -31,6 +31,7 @@ def study(
     fresh: Annotated[
         bool, typer.Option("--fresh", help="Forget the runs that an earlier call has done.")
     ] = False,
+    force: options.Force = False,
     library: options.Libraries = None,
     as_json: options.AsJson = False,
     quiet: options.Quiet = False,
@@ -59,6 +60,7 @@ def study(
             processes=processes,
             cluster=cluster,
             progress=progress,
+            force=force,
         )
     report = report_of(found)
     if as_json:

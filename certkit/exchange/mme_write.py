@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import io
-import shutil
-import tempfile
 import zipfile
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.definitions.units import UNITS
@@ -14,9 +11,11 @@ from certkit.errors import UsageError
 from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.mme_header import NOVALUE
 from certkit.files import write_whole
+from certkit.files.folder_switch import FolderSwitch
 
 if TYPE_CHECKING:
     from collections.abc import Mapping as Lookup
+    from pathlib import Path
 
     from certkit.definitions.channel_mapping import Mapping
     from certkit.signals.recording import Channel, Recording
@@ -54,23 +53,25 @@ def write_mme(
     UsageError
         When the target folder exists, or no channel has a code.
     """
-    name = test or target.stem
-    files = mme_files(recording, name, header or {}, code_table(mapping, recording.table))
     if target.suffix.lower() == ".zip":
-        write_whole(target, _zipped(files))
+        write_whole(target, mme_archive(recording, test or target.stem, header, mapping), durable=True)
         return
+    files = mme_files(recording, test or target.stem, header or {}, code_table(mapping, recording.table))
     if target.exists():
-        raise UsageError(f"{target} exists; name a new folder, or a .zip file, which is replaced as a whole")
-    target.parent.mkdir(parents=True, exist_ok=True)
-    temporary = Path(tempfile.mkdtemp(dir=target.parent, prefix=f".{target.name}."))
-    try:
+        raise UsageError(f"{target} exists; name a new folder, or a .zip file")
+    with FolderSwitch(target) as switch:
         for path, text in files.items():
-            write_whole(temporary / path, text)
-        temporary.chmod(0o755)
-        temporary.rename(target)
-    except BaseException:
-        shutil.rmtree(temporary, ignore_errors=True)
-        raise
+            write_whole(switch.stage / path, text)
+
+
+def mme_archive(
+    recording: Recording,
+    test: str,
+    header: Lookup[str, str] | None = None,
+    mapping: Mapping | None = None,
+) -> bytes:
+    """Return a container as a zip archive; see `write_mme`. The same recording gives the same bytes."""
+    return _zipped(mme_files(recording, test, header or {}, code_table(mapping, recording.table)))
 
 
 def mme_files(recording: Recording, name: str, header: Lookup[str, str], table: CodeTable) -> dict[str, str]:

@@ -29,6 +29,7 @@ def study(  # noqa: PLR0913  # as many as the command has options
     processes: int | None = None,
     cluster: str | None = None,
     progress: Progress | None = None,
+    force: bool = False,
 ) -> Findings | Optimum:
     """Carry out a study.
 
@@ -51,6 +52,8 @@ def study(  # noqa: PLR0913  # as many as the command has options
         Address of a Dask scheduler to use instead.
     progress : callable, optional
         Told of every finished run: done, total, failed.
+    force : bool
+        Replace what `out` holds of another study.
 
     Returns
     -------
@@ -80,6 +83,7 @@ def study(  # noqa: PLR0913  # as many as the command has options
         processes=processes,
         cluster=cluster,
         progress=progress,
+        force=force,
     )
 
 

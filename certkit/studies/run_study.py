@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from certkit.bench.render_documents import render
+from certkit.bench.result_folder import refuse_other_name
 from certkit.studies.optimise import limits_of, optimise
 from certkit.studies.run_table import check_formats, write_table
 from certkit.studies.runs import Runs
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from certkit.studies.study_findings import Findings
 
 JOURNAL = "runs.jsonl"
+FILES = ("study.json", "optimum.json")
 
 
 def optimum(
@@ -47,7 +49,7 @@ def optimum(
         return replace(optimise(sheet, factors, held, runs), output_units=trial.output_units())
 
 
-def optimise_and_write(
+def optimise_and_write(  # noqa: PLR0913  # as many as the command has options
     sheet: Study,
     folder: Path,
     formats: Collection[str],
@@ -56,9 +58,11 @@ def optimise_and_write(
     processes: int | None = None,
     cluster: str | None = None,
     progress: Progress | None = None,
+    force: bool = False,
 ) -> Optimum:
     """Carry an optimisation out and write its table, what it found and its page; see `carry_and_write`."""
     check_formats(formats)
+    refuse_other_name(folder, "study", sheet.study, FILES, force=force)
     found = optimum(
         sheet,
         library=library,
@@ -68,12 +72,17 @@ def optimise_and_write(
         progress=progress,
     )
     units = {factor.name: factor.unit for factor in found.factors}
-    write_table(found.table, folder, "table", {**units, **found.output_units}, formats)
-    render(optimum_report(found), folder)
+    shown = {**units, **found.output_units}
+    render(
+        optimum_report(found),
+        folder,
+        force=force,
+        beside=lambda stage: write_table(found.table, stage, "table", shown, formats),
+    )
     return found
 
 
-def carry_and_write(
+def carry_and_write(  # noqa: PLR0913  # as many as the command has options
     sheet: Study,
     folder: Path,
     formats: Collection[str],
@@ -82,14 +91,21 @@ def carry_and_write(
     processes: int | None = None,
     cluster: str | None = None,
     progress: Progress | None = None,
+    force: bool = False,
 ) -> Findings:
     """Carry a study out and write its table, its findings and its page.
 
     Returns
     -------
     Findings
+
+    Raises
+    ------
+    UsageError
+        When the folder holds another study, and `force` is not given.
     """
     check_formats(formats)
+    refuse_other_name(folder, "study", sheet.study, FILES, force=force)
     findings = study(
         sheet,
         library=library,
@@ -98,6 +114,11 @@ def carry_and_write(
         cluster=cluster,
         progress=progress,
     )
-    write_table(findings.table, folder, "table", {**findings.units, **findings.output_units}, formats)
-    render(study_report(findings), folder)
+    units = {**findings.units, **findings.output_units}
+    render(
+        study_report(findings),
+        folder,
+        force=force,
+        beside=lambda stage: write_table(findings.table, stage, "table", units, formats),
+    )
     return findings

@@ -78,7 +78,7 @@ def scaled(recording: Recording, name: str, peak: float) -> Recording:
 def grade(certkit: Command, data: Path, *more: object) -> tuple[int, dict[str, object]]:
     out = data.parent / "out"
     code, printed, _ = certkit(
-        "grade", "--procedure", "pendulum", data, "--out", out, "--format", "csv", "--json", *more
+        "grade", "--procedure", "pendulum", data, "--out", out, "--force", "--format", "csv", "--json", *more
     )
     return code, json.loads(printed)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.bench.render_documents import render
+from certkit.bench.result_folder import refuse_other_name
 from certkit.studies.calibration.fit import calibrate, runs_for
 from certkit.studies.calibration.fitted_files import report, write_family, write_fit
 from certkit.studies.calibration.leg_family import find_members
@@ -27,6 +28,7 @@ def carry_and_write(
     processes: int | None = None,
     cluster: str | None = None,
     tell: Tell = lambda _: None,
+    force: bool = False,
 ) -> tuple[list[Path], CalibrationReport]:
     """Calibrate, find relatives where wanted, and write everything.
 
@@ -37,7 +39,7 @@ def carry_and_write(
     CalibrationReport
     """
     _, document, paths = fit_and_write(
-        task, folder, family=family, processes=processes, cluster=cluster, tell=tell
+        task, folder, family=family, processes=processes, cluster=cluster, tell=tell, force=force
     )
     return paths, document
 
@@ -50,15 +52,26 @@ def fit_and_write(
     processes: int | None = None,
     cluster: str | None = None,
     tell: Tell = lambda _: None,
+    force: bool = False,
 ) -> tuple[Calibration, CalibrationReport, list[Path]]:
-    """Calibrate and write; return what was found, its report and the files, as `carry_and_write`."""
+    """Calibrate and write; return what was found, its report and the files, as `carry_and_write`.
+
+    Raises
+    ------
+    UsageError
+        When the folder holds another fit, and `force` is not given.
+    """
+    refuse_other_name(folder, "fit", task.sheet.fit, ["fit.json"], force=force)
     with runs_for(task, journal=folder / JOURNAL, processes=processes, cluster=cluster) as runs:
         found = calibrate(task, runs, tell)
-        paths = write_fit(found, folder)
         members = find_members(found, runs, family, tell) if family else None
-        document = report(found, members)
-        paths += render(document, folder)
+    document = report(found, members)
+
+    def beside(stage: Path) -> list[Path]:
+        paths = write_fit(found, stage)
         if members is not None:
-            paths.append(folder / "families" / f"{task.sheet.legform}.yaml")
+            paths.append(stage / "families" / f"{task.sheet.legform}.yaml")
             write_family(found, members, paths[-1])
-    return found, document, paths
+        return paths
+
+    return found, document, render(document, folder, force=force, beside=beside)
