@@ -141,7 +141,7 @@ def render_pages(
     from certkit.reporting.document_reports import render_document  # noqa: PLC0415  # as above
 
     asked = reports_of(document, formats)
-    with result_switch(out, document, force=force) as stage:
+    with result_switch(out, document, force=force, pages_only=True) as stage:
         written = render_document(document, stage, asked, paper=paper, spoken=language)
         _sign(written, sign)
     return [out / path.relative_to(stage) for path in written]

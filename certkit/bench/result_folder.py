@@ -35,7 +35,12 @@ class AnotherResultError(UsageError):
 
 @contextmanager
 def result_switch(
-    folder: Path, document: OutputDocument, *, force: bool, tell: Callable[[str], None] = lambda _: None
+    folder: Path,
+    document: OutputDocument,
+    *,
+    force: bool,
+    pages_only: bool = False,
+    tell: Callable[[str], None] = lambda _: None,
 ) -> Iterator[Path]:
     """Open a folder for a new result; a context that yields the folder to write into.
 
@@ -49,6 +54,8 @@ def result_switch(
         The new one.
     force : bool
         Replace another result.
+    pages_only : bool
+        The document itself is not written: where it is there, it stays.
     tell : callable
         Told when another process is at work in the folder, which is waited for.
 
@@ -59,10 +66,12 @@ def result_switch(
     """
     with FolderSwitch(folder, lambda: tell(f"waiting for another certkit at work in {folder}")) as switch:
         old = _document_fields(switch.folder / document.file_name)
-        if not force:
+        same = old is not None and _is_same(document, old)
+        if not (force or same):
             _refuse_another(folder, switch.folder, document, old)
         if force or (old is not None and old.get("id") != document.id):
-            switch.stale = _files_of(document, old or {}, switch.folder)
+            stays = {document.file_name} if same and pages_only else set()
+            switch.stale = set(_files_of(document, old or {}, switch.folder)) - stays
         yield switch.stage
 
 
@@ -172,9 +181,6 @@ def _refuse_another(
         if pages and not all(_is_page_of(page, document) for page in pages):
             raise AnotherResultError(f"{named}: holds {pages[0].name} of another result; {FORCE}")
         return
-    new: Mapping[str, Any] = document.model_dump(mode="json", include=set(_COMPARED), by_alias=True)
-    if old.get("id") == document.id or _same(old, new):
-        return
     said = ", ".join(
         str(old[key]) for key in ("procedure", "study", "fit", "case", "verdict", "id") if old.get(key)
     )
@@ -184,8 +190,11 @@ def _refuse_another(
 _COMPARED = ("kind", "procedure", "verdict", "study", "fit", "case", "inputs", "provenance")
 
 
-def _same(old: Mapping[str, Any], new: Mapping[str, Any]) -> bool:
-    """Tell whether two documents of one kind are of the same inputs, or of one study or fit."""
+def _is_same(document: OutputDocument, old: Mapping[str, Any]) -> bool:
+    """Tell whether a document is of the same id as an old one, of the same inputs, or of one study or fit."""
+    if old.get("id") == document.id:
+        return True
+    new: Mapping[str, Any] = document.model_dump(mode="json", include=set(_COMPARED), by_alias=True)
     for name in ("study", "fit"):
         if new.get(name) is not None:
             return bool(old.get(name) == new[name])

@@ -10,8 +10,10 @@ import support.synthetic_result as made_up
 from support.command import Command
 
 import certkit as bench
+from certkit.bench.render_documents import render_pages
 from certkit.bench.result_folder import AnotherResultError, distinct_names
 from certkit.documents.result import Result
+from certkit.documents.unverified import MARK, marked
 from certkit.files.folder_switch import LIST, SWITCH, FolderSwitch
 
 
@@ -99,6 +101,14 @@ def test_pages_without_their_document_are_another_results_unless_they_say_the_id
     with pytest.raises(AnotherResultError, match=r"report\.html"):
         bench.render(other(result), out, "junit")
     bench.render(result, out, "junit")
+
+
+@pytest.mark.parametrize("force", [False, True])
+def test_pages_of_a_changed_document_leave_it_where_it_is(result: Result, tmp_path: Path, *, force: bool):
+    bench.render(result, tmp_path, "html")
+    render_pages(marked(result), tmp_path, ["html"], force=force)
+    assert held(tmp_path) == result.id
+    assert MARK in (tmp_path / "report.html").read_text("utf-8")
 
 
 def test_a_writer_that_fails_leaves_nothing(tmp_path: Path):
