@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 PEAKS = ("max", "min", "max abs", "time of max")
 """Measures whose value is a peak."""
+CROSSING_KEPT = frozenset({"clipped", "clipped-kept", "unit-out-by-ten"})
+"""Doubts of a bone channel that leave its zero crossing, and so the assessment interval, where it is."""
 BEYOND = 0.001
 """Seconds by which a record has to go beyond the evaluation window, so that the window, and not the record's
 end, ended the search for a peak."""
@@ -71,18 +73,32 @@ def plausible(
     if procedure.test_kind == "static" or filtered.recording.time.size < 2:
         return Plausibility(values)
     channels = doubtful_channels(filtered, window)
-    until = procedure.run.until
+    shaken = _shaken_interval(filtered, channels.doubts)
     checked = {}
     for criterion in procedure.criteria:
         value = values[criterion.id]
-        if value.value is not None or value.trace is not None:
-            named = _channels(criterion, filtered)
-            doubt = next((channels.doubts[name] for name in named if name in channels.doubts), None)
-            if doubt is None:
-                doubt = _Peak(criterion, filtered, window, interval, until).doubt(value)
-            value = replace(value, doubt=doubt)
-        checked[criterion.id] = value
+        named = _channels(criterion, filtered)
+        doubt = next((channels.doubts[name] for name in named if name in channels.doubts), None)
+        if doubt is None and criterion.interval == "assessment interval":
+            doubt = shaken
+        if value.value is None and value.trace is None:
+            # What is wrong with the channels tells more than that there is no interval.
+            known = criterion.interval == "assessment interval" and doubt is not None and value.reason
+            checked[criterion.id] = replace(value, reason=doubt) if known else value
+            continue
+        if doubt is None:
+            doubt = _Peak(criterion, filtered, window, interval, procedure.run.until).doubt(value)
+        checked[criterion.id] = replace(value, doubt=doubt)
     return Plausibility(checked, channels.remarks)
+
+
+def _shaken_interval(filtered: Filtered, doubts: Mapping[str, Reason]) -> Reason | None:
+    """Return why the assessment interval is no evidence: a bone that helps to end it is not."""
+    for name in filtered.recording.table.bone:
+        found = doubts.get(name)
+        if found is not None and found.code not in CROSSING_KEPT:
+            return Reason.of("interval-rests-on-doubt", channel=name, reason=found)
+    return None
 
 
 def evaluated(

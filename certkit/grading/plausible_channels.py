@@ -14,6 +14,7 @@ from certkit.reasons import Reason
 from certkit.signals.clipping import find_clipping
 from certkit.signals.offset import MARGIN
 from certkit.signals.plausibility_motion import (
+    WINDOW,
     activity,
     blow,
     frozen_from,
@@ -23,7 +24,7 @@ from certkit.signals.plausibility_motion import (
     off_the_line,
     turned_gauges,
 )
-from certkit.signals.plausibility_steps import LIGAMENT_SPEED, impossible_step, steepest
+from certkit.signals.plausibility_steps import LIGAMENT_SPEED, impossible_step, largest_step, steepest
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
@@ -167,7 +168,7 @@ def _steps(leg: _Leg) -> Iterator[tuple[str, Reason]]:
         if at is not None:
             step = float(channel.values[at] - channel.values[at - 1]) * channel.dimension.scale
             unit = channel.dimension.unit
-            limit = rate * leg.filtered.recording.interval * channel.dimension.scale
+            limit = largest_step(leg.filtered.recording.interval, rate) * channel.dimension.scale
             yield (
                 name,
                 Reason.of("impossible-step", step=abs(step), unit=unit, time=leg.at(at), limit=limit),
@@ -178,7 +179,7 @@ def _clipped(leg: _Leg) -> Iterator[tuple[str, Reason]]:
     """Yield flat tops, as recorded and through the filter, which takes noise off a plateau."""
     for name, channel in leg.channels.items():
         limit = leg.amplitude_class(name)
-        found = find_clipping(channel.values, limit) or find_clipping(leg.smooth[name])
+        found = find_clipping(channel.values, limit) or find_clipping(leg.smooth[name], limit)
         if found is not None:
             scale, unit = channel.dimension.scale, channel.dimension.unit
             yield (
@@ -201,15 +202,18 @@ def _frozen(leg: _Leg) -> Iterator[tuple[str, Reason]]:
     """Yield channels that stand still for a while in which the others move."""
     interval = leg.filtered.recording.interval
     moves = {name: activity(values, interval) for name, values in leg.after.items()}
-    step = max(1, max(2, round(0.010 / interval)) // 4)
-    for name, own in moves.items():
+    step = max(1, max(2, round(WINDOW / interval)) // 4)
+    for name in moves:
         if not leg.blow_beside(name):
             continue
+        own, levels = moves[name], None
         others = [moves[other] for other in moves if other != name and leg.moment(other)]
-        levels = None
-        if not leg.moment(name):
-            shown = np.abs(leg.after[name])[::step][: own.size]
-            levels = shown > SLACK * leg.peaks[name]
+        if leg.moment(name):
+            # A sensor that hangs shows one number; through the filter it still settles for a while.
+            end = leg.begin + leg.after[name].size
+            own = np.minimum(own, activity(leg.channels[name].values[leg.begin : end], interval))
+        else:
+            levels = np.abs(leg.after[name])[::step][: own.size] > SLACK * leg.peaks[name]
         if len(others) > 1:
             at = frozen_from(own, np.stack(others), levels)
             if at is not None:
@@ -278,13 +282,6 @@ def _patterns(leg: _Leg, doubts: Mapping[str, Reason]) -> Iterator[Reason]:
             three = (before, gauge, behind)
             if any(name in doubts for name in three) or not any(leg.blow_beside(name) for name in three):
                 continue
-            found = off_the_line(*(leg.after[name] for name in three))
-            if found is not None:
-                share, at = found
-                yield Reason.of(
-                    "moment-pattern",
-                    channel=gauge,
-                    others=[before, behind],
-                    share=share,
-                    time=leg.at(leg.begin + at),
-                )
+            share = off_the_line(*(leg.after[name] for name in three))
+            if share is not None:
+                yield Reason.of("moment-pattern", channel=gauge, others=[before, behind], share=share)

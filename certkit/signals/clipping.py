@@ -18,18 +18,22 @@ if TYPE_CHECKING:
 
 FLAT_SAMPLES = 10
 """Samples that a flat top has at least."""
-STEEP = 30.0
-"""Bands that the shoulders of the larger side have to fall by; the steepest peak of a shipped run has 20."""
-STEEP_SMALLER = 90.0
+STEEP = 60.0
+"""Bands that the shoulders of the larger side have to fall by; the flattest peak of a shipped run has 32,
+with noise 39."""
+STEEP_SMALLER = 120.0
 """The same for the smaller side; a swing of two humps has 27 there in a shipped run."""
+SMALL = 0.115
+"""Share of the amplitude class that a channel has to reach for its shape to be looked at: 3.45 mm, just below
+the smallest lower limit of a corridor (PCL, 3.5 mm)."""
 SMALLER = 0.2
 """Share of the largest size that the smaller side has to reach to be looked at."""
 BANDS = 10.0 ** np.linspace(-4.5, -2.0, 11)
 """Heights of the band below the top, as shares of the channel's whole swing."""
 NARROW = 1e-3
 """Share of the swing up to which one steep shoulder is enough: so near its top every peak is a parabola."""
-STEEP_ALONE = 100.0
-"""Narrow bands that one shoulder has to fall by; the steepest flank of a shipped run has 25."""
+STEEP_ALONE = 150.0
+"""Narrow bands that one shoulder has to fall by; the steepest flank of a shipped run has 47, with noise."""
 SHOULDER = 0.02
 """Share of the channel's whole swing that the shoulders have to fall by: waves of filtered noise do not."""
 _BESIDE = 0.25
@@ -66,6 +70,8 @@ def find_clipping(values: NDArray[np.float64], amplitude_class: float | None = N
         if both.size:
             return Clipping(float(values[np.argmax(np.abs(values))]), int(both[0]))
     largest = float(np.abs(values).max())
+    if amplitude_class is not None and largest < SMALL * amplitude_class:
+        return None
     for sign in (1.0, -1.0):
         side = sign * values
         top = float(side.max())

@@ -98,28 +98,32 @@ def assessment_interval(
             return Reason.of("bone-still-rising", channel=name, value=value, end=end)
     if not peaks:
         return Reason.of("bone-moments-small", marginal=MARGINAL_MOMENT)
-    for name, peak in peaks.items():
-        unfinished = _unfinished(time, name, moments[name], (begin, peak))
+    tops = {name: _phase_maximum(moments[name], peak) for name, peak in peaks.items()}
+    for name, top in tops.items():
+        unfinished = _unfinished(time, name, moments[name], top)
         if unfinished is not None:
             return unfinished
     # Lowering all curves by the highest of their lows makes the last of them touch zero.
-    shift = max(0.0, *(float(moments[name][peak:].min()) for name, peak in peaks.items()))
-    ends = {name: _crossing(time, moments[name] - shift, peak) for name, peak in peaks.items()}
+    shift = max(0.0, *(float(moments[name][top:].min()) for name, top in tops.items()))
+    ends = {name: _crossing(time, moments[name] - shift, top) for name, top in tops.items()}
     last = max(ends, key=lambda name: ends[name])
     left_out = tuple(name for name in moments if name not in peaks)
     return AssessmentInterval(contact, ends[last], last, shift, left_out)
 
 
-def _unfinished(
-    time: NDArray[np.float64], name: str, values: NDArray[np.float64], span: tuple[int, int]
-) -> Reason | None:
-    """Return why a bone's first bending does not end inside the record; `span` is contact and maximum."""
-    begin, peak = span
-    at = peak + int(values[peak:].argmin())
-    low = float(values[at])
+def _phase_maximum(values: NDArray[np.float64], peak: int) -> int:
+    """Return the index of the largest value from the first maximum to the zero crossing, or to the end."""
+    crossed = np.flatnonzero(values[peak:] <= 0.0)
+    end = peak + int(crossed[0]) if crossed.size else values.size
+    return peak + int(values[peak:end].argmax())
+
+
+def _unfinished(time: NDArray[np.float64], name: str, values: NDArray[np.float64], top: int) -> Reason | None:
+    """Return why a bone's first bending, with its largest value at `top`, does not end inside the record."""
+    at = top + int(values[top:].argmin())
+    low, highest = float(values[at]), float(values[top])
     if low <= 0.0:
         return None
-    highest = float(values[begin : at + 1].max())
     turned = float(values[at:].max()) - low >= TURNING
     if not turned and low > TURNING:
         return Reason.of("bone-not-back-to-zero", channel=name, value=low, end=float(time[-1]) * 1e3)

@@ -104,8 +104,16 @@ def test_a_record_that_ends_before_a_bone_is_back_at_zero_has_no_interval():
 
 
 def test_the_curves_are_not_lowered_to_a_dip_on_the_way_up():
-    dip = 150.0 * np.sin(np.pi * TIME / 0.1) - 40.0 * np.exp(-(((TIME - 0.03) / 0.002) ** 2))
-    found = assessment_interval(TIME[:5000], {"T1": dip[:5000], "T2": bending(0.02)[:5000]})
+    way_up = TIME[:5000]
+    dip = 150.0 * np.sin(np.pi * way_up / 0.1) - 40.0 * np.exp(-(((way_up - 0.03) / 0.002) ** 2))
+    found = assessment_interval(way_up, {"T1": dip, "T2": bending(0.02)[:5000]})
+    assert isinstance(found, Reason)
+    assert found.code == "bone-not-back-to-zero"
+
+
+def test_the_curves_are_lowered_to_half_of_a_maximum_at_most():
+    shallow = 160.0 + 40.0 * np.cos(2 * np.pi * TIME / 0.04 - np.pi / 2)
+    found = assessment_interval(TIME, {"T1": shallow, "T2": bending(0.02)})
     assert isinstance(found, Reason)
     assert found.code == "bones-lowered-too-far"
 

@@ -1,0 +1,42 @@
+"""Good recordings raise no doubt: noise, offsets, hum, filters, rates and digits as in laboratories."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import certkit
+from certkit.bench.setup import prepare
+from certkit.grading import measure_all
+from tests.support.laboratory_records import CASES, as_measured, leg_channels
+
+MEASURED = Path(__file__).parents[2] / "examples/measured"
+
+
+@pytest.mark.parametrize(
+    "case", range(len(CASES)), ids=lambda case: "-".join(map(str, CASES[case][1].values()))
+)
+def test_no_doubt_is_cast_on_forty_good_recordings(case: int):
+    name, changes = CASES[case]
+    sheet = prepare(name, overrides=changes).procedure
+    made = leg_channels(case)
+    graded = {criterion.id for criterion in sheet.criteria if criterion.corridor is not None}
+    for seed in range(40):
+        measured = measure_all(sheet, as_measured(made, 1000 * case + seed))
+        said = {n: v.doubt or v.reason for n, v in measured.values.items() if n in graded}
+        assert {n: str(reason) for n, reason in said.items() if reason is not None} == {}, seed
+        assert measured.remarks == (), seed
+
+
+@pytest.mark.parametrize("data", ["FLX-0007-pendulum.zip", "FLX-0007-pendulum.csv"])
+def test_no_doubt_is_cast_on_the_shipped_measured_test(data: str):
+    mapping = MEASURED / "mapping.yaml" if data.endswith("csv") else None
+    result = certkit.grade("pendulum", MEASURED / data, mapping=mapping)
+    assert result.verdict == "pass"
+
+
+@pytest.mark.parametrize("procedure", ["pendulum", "inverse"])
+def test_no_doubt_is_cast_on_a_simulated_test(procedure: str):
+    result = certkit.run(procedure, refine=False)
+    assert {c.id: c.verdict for c in result.criteria if c.graded and c.verdict != "pass"} == {}
