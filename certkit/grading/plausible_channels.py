@@ -203,10 +203,10 @@ def _frozen(leg: _Leg) -> Iterator[tuple[str, Reason]]:
     interval = leg.filtered.recording.interval
     moves = {name: activity(values, interval) for name, values in leg.after.items()}
     step = max(1, max(2, round(WINDOW / interval)) // 4)
-    for name in moves:
+    for name, moved in moves.items():
         if not leg.blow_beside(name):
             continue
-        own, levels = moves[name], None
+        own, levels = moved, None
         others = [moves[other] for other in moves if other != name and leg.moment(other)]
         if leg.moment(name):
             # A sensor that hangs shows one number; through the filter it still settles for a while.

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
 CORNER = 300.0
 """Hertz that a filter of class 180 lets through (ISO 6487); what a criterion is measured on holds no more."""
 SHORTEST = 1e-4
-"""Seconds over which a rate counts. Quicker recordings may step as far as within that time: what lies above the
-corner frequency is small, but quick."""
+"""Seconds over which a rate counts. Quicker recordings may step as far as within that time: what lies above
+the corner frequency is small, but quick."""
 NOISE_FACTOR = 8.0
 """Standard deviations of the noise that a step may have on top; among 1e6 samples none has eight."""
 LIGAMENT_SPEED = 11.1
