@@ -73,9 +73,8 @@ def evaluate(
     criteria = [grade_criterion(c, measured.values[c.id], judgement) for c in procedure.criteria]
     preconditions = [*grade_preconditions(procedure.preconditions, recording), *laboratory.checks]
     kind: Kind = "virtual certification" if recording.kind == "simulated" else "test evaluation"
-    scores, unscored = procedure_scores(
-        procedure.score, terms.corridors, {c.id: c for c in criteria}, recording.table
-    )
+    sound = {c.id: c for c in criteria if measured.values[c.id].doubt is None}
+    scores, unscored = procedure_scores(procedure.score, terms.corridors, sound, recording.table)
     comparison = None if terms.reference is None else compare(terms.reference, criteria)
     said = remarks(
         kind,

@@ -210,11 +210,11 @@ VEHICLE_CORRIDORS = {name: load("corridors", name).document for name in ("r127-v
 
 
 def impact(*, without: str | None = None):
-    """Return a vehicle test with a hill of 100 N·m and a rebound of 600 N·m in every bone."""
+    """Return a vehicle test with a hill of 100 N·m and a rebound of 300 N·m in every bone."""
     bones = dict.fromkeys(
-        ("F1", "F2", "F3", "T1", "T2", "T3", "T4"), bump(100.0, at=0.02) - bump(600.0, at=0.058)
+        ("F1", "F2", "F3", "T1", "T2", "T3", "T4"), bump(100.0, at=0.02) - bump(300.0, at=0.058)
     )
-    ligaments = dict.fromkeys(("MCL", "ACL", "PCL"), np.zeros_like(TIME))
+    ligaments = {"MCL": bump(0.012, at=0.02), "ACL": bump(0.005, at=0.02), "PCL": bump(0.003, at=0.02)}
     return recording({name: values for name, values in (bones | ligaments).items() if name != without})
 
 
