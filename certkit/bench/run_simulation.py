@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from certkit.bench.fit_origins import fits_of, fitted_to, on_bounds
 from certkit.bench.setup import Setup, prepare
 from certkit.grading import (
     SimulatedTerms,
@@ -72,10 +73,10 @@ def run(
     RunError
         When the simulation does not finish.
     """
-    return run_setup(prepare(procedure, library=library, overrides=overrides), refine=refine)
+    return run_setup(prepare(procedure, library=library, overrides=overrides), refine=refine, library=library)
 
 
-def run_setup(setup: Setup, *, refine: bool = True) -> Result:
+def run_setup(setup: Setup, *, refine: bool = True, library: Library = ()) -> Result:
     """Simulate and grade what `prepare` has loaded; see `run`."""
     simulation = _simulate(setup)
     measured = measure_all(setup.procedure, simulation.recording)
@@ -85,7 +86,10 @@ def run_setup(setup: Setup, *, refine: bool = True) -> Result:
         step_change=refinement.step_change if refinement else None,
         solver_seconds=simulation.solver_seconds,
     )
+    fits = fits_of(setup, library)
     simulated = SimulatedTerms(
+        fitted=tuple(fitted_to(setup, fits)),
+        bounds=tuple(on_bounds(setup, fits)),
         quality=quality,
         numerical=refinement.uncertainties if refinement else {},
         legform=setup.legform.title,

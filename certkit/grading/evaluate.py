@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from certkit.documents.channel_curves import drawn_curves, raw_channels
 from certkit.documents.result import Result
 from certkit.grading.criterion import Judgement, grade_criterion
+from certkit.grading.foundation import foundation
 from certkit.grading.grading_terms import (
     NO_LABORATORY,
     NOT_SIMULATED,
@@ -83,13 +84,29 @@ def evaluate(
         quality=simulated.quality,
         parameters=terms.parameters,
         comparison=comparison,
-        oddities=[*assumptions(recording), *measured.remarks, *interval_edge(measured, criteria)],
+        oddities=[
+            *assumptions(recording),
+            *measured.remarks,
+            *interval_edge(measured, criteria),
+            *simulated.bounds,
+        ],
     )
+    verdict = overall(criteria, preconditions, simulated.quality)
+    if verdict == "pass":
+        model = simulated.legform or procedure.specimen.legform
+        rests = foundation(
+            measured,
+            criteria,
+            preconditions,
+            model=model if recording.kind == "simulated" else "",
+            fitted=simulated.fitted,
+        )
+        said = [*rests, *said]
     result = Result(
         kind=kind,
         procedure=procedure.procedure,
         title=procedure.title,
-        verdict=overall(criteria, preconditions, simulated.quality),
+        verdict=verdict,
         coded_remarks=[*said, *unscored],
         method=procedure.method.words,
         specimen=_specimen(procedure, simulated, laboratory),

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         Provenance,
         Quality,
     )
+    from certkit.reasons import Reason
 
 
 @dataclass(frozen=True)
@@ -98,6 +99,8 @@ class SimulatedTerms:
         Energy over time.
     front : Front, optional
         What the vehicle's front did.
+    fitted, bounds : tuple of Reason
+        Fits that aimed at what the procedure grades by, and fitted values that stand on a bound.
     """
 
     quality: Quality | None = None
@@ -106,6 +109,8 @@ class SimulatedTerms:
     motion: Motion | None = None
     energies: Histories | None = None
     front: Front | None = None
+    fitted: tuple[Reason, ...] = ()
+    bounds: tuple[Reason, ...] = ()
 
 
 NOT_SIMULATED = SimulatedTerms()

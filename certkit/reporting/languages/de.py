@@ -19,6 +19,7 @@ VERDICTS = MappingProxyType(
 
 WORDS = MappingProxyType(
     {
+        "read in an account of it": "in einer Darstellung davon gelesen",
         "; {shown} shown, not graded.": "; {shown} nur gezeigt, nicht bewertet.",
         "All graded criteria lie inside their corridors.": "Alle bewerteten Kriterien liegen in ihren Korridoren.",
         "All {count} numbers that went in": "Alle {count} eingegangenen Zahlen",
@@ -248,6 +249,16 @@ REASONS = MappingProxyType(
         "accepted-leniently": "Mit --lenient angenommen, nicht durch die Daten belegt: {reason}.",
         "interval-end-decides": "{criterion}: der Bewertungszeitraum steht auf der Kippe: ein um 2 ms anderes Ende ändert den Wert um {moved:.3g} {unit}, der Abstand beträgt {margin:.3g} {unit}.",
         "peak-near-interval": "{criterion}: eine größere Spitze von {value:.4g} {unit} liegt bei {time:.1f} ms, knapp außerhalb des Bewertungszeitraums, der bei {end:.1f} ms endet.",
+        "pass-rests-on-peaks": "Beruht auf {count} Spitzen innerhalb der Aufzeichnung ({start:.4g} bis {end:.4g} ms), jede von einem Kanal, der sich wie seine Nachbarn bewegt; am nächsten an seiner Grenze liegt {criterion}, mit {margin:.3g} {unit}.",
+        "pass-rests-on-limits": "Beruht auf den Grenzen von {origins:list}.",
+        "limit-origin": "{set} ({confidence:word})",
+        "pass-rests-on-model": "Beruht auf dem Modell {model}, das keine bekannte Anpassung auf diese Grenzen gerichtet hat.",
+        "pass-rests-on-fitted-model": "Beruht auf dem Modell {model}, {fits:and}: dass es sie erfüllt, sagt, dass die Anpassung gelang, und sagt nichts voraus.",
+        "fitted-to-corridors": "das die Anpassung {fit} auf eben diese Korridore gerichtet hat",
+        "fitted-to-reference": "das die Anpassung {fit} auf die Referenz dieser Prüfung gerichtet hat",
+        "pass-rests-on-conditions": "Beruht auf Bedingungen, die aufgezeichnet und eingehalten wurden: {conditions:and}{rest:join}.",
+        "conditions-open": "; nicht aufgezeichnet und nicht verlangt: {conditions:list}",
+        "fitted-on-bounds": "Angepasste Werte, die auf einer Grenze der Anpassung {fit} stehen: {parameters:list}.",
         "bone-still-rising": "{channel} steigt am Ende der Aufzeichnung noch ({value:.4g} N·m bei {end:.4g} ms)",
         "bone-not-back-to-zero": "{channel} ist am Ende der Aufzeichnung nicht wieder bei null ({value:.4g} N·m, {end:.4g} ms)",
         "bones-lowered-too-far": "alle Knochenmomente müssten um {shift:.4g} N·m gesenkt werden, damit {channel} null kreuzt, mehr als {most:g} % von dessen {highest:.4g} N·m",

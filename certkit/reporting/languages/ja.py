@@ -19,6 +19,7 @@ VERDICTS = MappingProxyType(
 
 WORDS = MappingProxyType(
     {
+        "read in an account of it": "解説で確認",
         "; {shown} shown, not graded.": "、{shown} 件は参考表示(判定外)。",
         "All graded criteria lie inside their corridors.": "判定対象の全項目がコリドー内にあります。",
         "All {count} numbers that went in": "使用した数値 {count} 件すべて",
@@ -248,6 +249,16 @@ REASONS = MappingProxyType(
         "accepted-leniently": "--lenient で受け入れた仮定 (データによる裏付けなし): {reason}。",
         "interval-end-decides": "{criterion}: 評価区間の終わりが結果を左右する: 2 ms ずれると値が {moved:.3g} {unit} 変わり、余裕は {margin:.3g} {unit}。",
         "peak-near-interval": "{criterion}: {end:.1f} ms で終わる評価区間のすぐ外、{time:.1f} ms により大きなピーク {value:.4g} {unit} がある。",
+        "pass-rests-on-peaks": "根拠: 記録内 ({start:.4g}~{end:.4g} ms) の {count} 個のピーク。いずれも隣と同様に動くチャンネルによる。限界に最も近いのは {criterion} で余裕 {margin:.3g} {unit}。",
+        "pass-rests-on-limits": "根拠: {origins:list} の限界値。",
+        "limit-origin": "{set} ({confidence:word})",
+        "pass-rests-on-model": "根拠: モデル {model}。この限界値に合わせた既知の同定はない。",
+        "pass-rests-on-fitted-model": "根拠: モデル {model}、{fits:and}。満たすことは同定の成功を示すだけで、予測ではない。",
+        "fitted-to-corridors": "同定 {fit} がまさにこのコリドーに合わせたもの",
+        "fitted-to-reference": "同定 {fit} がこの試験の参照値に合わせたもの",
+        "pass-rests-on-conditions": "根拠: 記録され守られた条件 {conditions:and}{rest:join}。",
+        "conditions-open": "。記録なし (必須でない): {conditions:list}",
+        "fitted-on-bounds": "同定 {fit} の境界上にある値: {parameters:list}。",
         "bone-still-rising": "{channel} は記録の終わりでまだ上昇中 ({end:.4g} ms で {value:.4g} N·m)",
         "bone-not-back-to-zero": "{channel} は記録の終わりで零に戻っていない ({value:.4g} N·m、{end:.4g} ms)",
         "bones-lowered-too-far": "{channel} が零を横切るには全骨モーメントを {shift:.4g} N·m 下げる必要があり、その {highest:.4g} N·m の {most:g} % を超える",

@@ -1,0 +1,89 @@
+"""What the fits say of a model: whether one aimed at what it now meets, and values that stand on a bound."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from certkit.definitions.loading.library import load, names
+from certkit.definitions.units import UNITS, parse_quantity
+from certkit.errors import CertkitError
+from certkit.reasons import Reason
+
+if TYPE_CHECKING:
+    from certkit.bench.setup import Setup
+    from certkit.definitions.calibration import CalibrationTask
+    from certkit.definitions.loading.library import Library
+
+ON_BOUND = 0.005
+"""Share of the way between the bounds within which a fitted value stands on one."""
+
+
+def fits_of(setup: Setup, library: Library = ()) -> list[CalibrationTask]:
+    """Return the fits that the legform was made by; those that cannot be read are passed over."""
+    folders = (library,) if isinstance(library, (str, Path)) else tuple(library)
+    known = _known(tuple(str(folder) for folder in folders))
+    return [task for task in known if task.legform == setup.legform.legform]
+
+
+@cache
+def _known(library: tuple[str, ...]) -> tuple[CalibrationTask, ...]:
+    found = []
+    for name in names("fit", library):
+        try:
+            found.append(load("fit", name, library=library).document)
+        except CertkitError:
+            continue  # `certkit validate` says what is wrong with it
+    return tuple(found)
+
+
+def fitted_to(setup: Setup, fits: list[CalibrationTask]) -> list[Reason]:
+    """Return what the model was fitted to, where it is what the procedure grades by or compares with."""
+    said = []
+    for task in fits:
+        for target in task.targets:
+            if target.procedure != setup.procedure.procedure:
+                continue
+            graded = any(criterion.corridor for criterion in setup.procedure.criteria)
+            if target.to == "corridors" and graded:
+                said.append(Reason.of("fitted-to-corridors", fit=task.fit))
+            elif target.to == "reference":
+                said.append(Reason.of("fitted-to-reference", fit=task.fit))
+    return said
+
+
+def on_bounds(setup: Setup, fits: list[CalibrationTask]) -> list[Reason]:
+    """Return a remark on the fitted values of the model that stand on a bound."""
+    values = {_path(parameter.path): parameter.value for parameter in setup.parameters}
+    said = []
+    for task in fits:
+        names_on = [
+            parameter.path
+            for parameter in task.parameters
+            if parameter.procedure in {None, setup.procedure.procedure}
+            and parameter.path in values
+            and _stands_on(values[parameter.path], parameter.lower, parameter.upper)
+        ]
+        if names_on:
+            said.append(Reason.of("fitted-on-bounds", fit=task.fit, parameters=names_on))
+    return said
+
+
+def _path(listed: str) -> str:
+    """Return a path as fits write it: `legform NAME: knee.…` is `legform.knee.…`, a procedure is left out."""
+    owner, colon, path = listed.partition(": ")
+    kind = owner.partition(" ")[0]
+    return path if kind == "procedure" else f"{kind}.{path}" if colon else listed
+
+
+def _stands_on(value: str, lower: str, upper: str) -> bool:
+    """Tell whether a quantity is at one of its bounds; quantities that cannot be compared are not."""
+    for dimension in UNITS:
+        try:
+            at, low, high = (parse_quantity(text, dimension) for text in (value, lower, upper))
+        except (ValueError, KeyError):
+            continue
+        near = ON_BOUND * (high - low)
+        return at <= low + near or at >= high - near
+    return False
