@@ -16,6 +16,7 @@ from certkit.grading import (
     measure_all,
     numerical_uncertainties,
 )
+from certkit.grading.front_limits import beyond_range, largest_travel
 from certkit.reasons import Reason
 from certkit.reporting.language import worded
 
@@ -85,11 +86,14 @@ def run_setup(setup: Setup, *, refine: bool = True, library: Library = ()) -> Re
         simulation.quality,
         step_change=refinement.step_change if refinement else None,
         solver_seconds=simulation.solver_seconds,
+        travel_mm=None if simulation.front is None else largest_travel(simulation.front),
     )
     fits = fits_of(setup, library)
+    front, vehicle = simulation.front, setup.vehicle
+    stretched = [] if front is None or vehicle is None else beyond_range(front, vehicle)
     simulated = SimulatedTerms(
         fitted=tuple(fitted_to(setup, fits)),
-        bounds=tuple(on_bounds(setup, fits)),
+        bounds=(*on_bounds(setup, fits), *stretched),
         quality=quality,
         numerical=refinement.uncertainties if refinement else {},
         legform=setup.legform.title,

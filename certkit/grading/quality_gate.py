@@ -23,6 +23,11 @@ FLESH_DEPTH_LIMIT = 100.0
 """Percent of its thickness by which flesh may be compressed: there it ends, at the bone."""
 
 
+TRAVEL_LIMIT = 300.0
+"""Millimetres that a group of a front may travel: there the radiator and the engine stand. An estimate;
+the softest of the shipped fronts has 205."""
+
+
 class Figures(Protocol):
     """The quality figures that a simulation yields (`certkit.mechanics`)."""
 
@@ -56,6 +61,7 @@ def grade_quality(
     *,
     step_change: StepChange | None = None,
     solver_seconds: float | None = None,
+    travel_mm: float | None = None,
     penetration_limit: float = PENETRATION_LIMIT,
 ) -> Quality:
     """Hold a run's quality figures against their limits.
@@ -68,6 +74,8 @@ def grade_quality(
         nobody looked.
     solver_seconds : float, optional
         Processor time, for information.
+    travel_mm : float, optional
+        How far the group of a vehicle's front that moves most goes; None without a vehicle.
     penetration_limit : float
         Millimetres.
 
@@ -88,6 +96,9 @@ def grade_quality(
     if figures.flesh_depth_percent:
         depth = figures.flesh_depth_percent
         checks.append(_check("flesh-depth", depth, FLESH_DEPTH_LIMIT, "%", Reason.of("stiffen-the-wall")))
+    if travel_mm is not None:
+        held = Reason.of("hold-the-groups")
+        checks.append(_check("group-travel", travel_mm, TRAVEL_LIMIT, "mm", held))
     if step_change is not None:
         most = Reason.of("criterion-changes-most", criterion=step_change.criterion, step=step)
         checks.append(_check("step-change", step_change.percent, STEP_CHANGE_LIMIT, "%", most))

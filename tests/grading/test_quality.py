@@ -24,6 +24,13 @@ class Figures:
     time_step: float = 2e-5
 
 
+def test_a_group_that_flies_into_the_car_is_an_error():
+    assert grade_quality(Figures(), travel_mm=205.0).verdict == "pass"
+    flown = grade_quality(Figures(), travel_mm=893.0)
+    assert flown.verdict == "error"
+    assert [check.value for check in flown.checks if check.verdict == "error"] == [893.0]
+
+
 def test_a_run_within_all_limits_can_be_trusted():
     quality = grade_quality(Figures(), step_change=StepChange(0.04, "T1"), solver_seconds=0.2)
     assert quality.verdict == "pass"

@@ -45,6 +45,7 @@ MADE_FROM_PARTS = {
     "joint-gap",
     "penetration",
     "step-change",
+    "group-travel",
     "flesh-depth",
     "sensor-expired",
     "sensor-calibrated-later",
