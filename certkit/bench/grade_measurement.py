@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.bench.laboratory_terms import merged_conditions, read_laboratory
-from certkit.bench.setup import Setup, prepare
+from certkit.bench.setup import prepare, without_model
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
@@ -23,9 +23,6 @@ if TYPE_CHECKING:
     from certkit.definitions.loading.library import Library
     from certkit.definitions.loading.overrides import Overrides
     from certkit.documents.result import Result
-
-# The model plays no part where the leg was a real one.
-_OF_THE_MODEL = ("legform", "vehicle")
 
 
 def grade(
@@ -64,7 +61,7 @@ def grade(
     DataError
         When the data cannot.
     """
-    setup = _without_model(prepare(procedure, library=library, overrides=overrides))
+    setup = without_model(prepare(procedure, library=library, overrides=overrides))
     channels = setup.legform.channel_table
     data = Path(data)
     own, mapping_input = _mapping(None if mapping is None else Path(mapping), channels)
@@ -85,15 +82,6 @@ def grade(
         notes=[Reason.words(text) for text in (*setup.remarks, *header)],
     )
     return worded(result)
-
-
-def _without_model(setup: Setup) -> Setup:
-    """Leave out the numbers of the simulated leg and car; the legform's file stays, for its channels."""
-    return replace(
-        setup,
-        inputs=tuple(item for item in setup.inputs if item.role != "vehicle"),
-        parameters=tuple(p for p in setup.parameters if not p.path.startswith(_OF_THE_MODEL)),
-    )
 
 
 def _mapping(path: Path | None, channels: ChannelTable) -> tuple[Mapping | None, list[InputFile]]:

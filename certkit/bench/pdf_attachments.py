@@ -26,24 +26,49 @@ A4_WIDTH = 595.3
 
 @dataclass(frozen=True)
 class Attached:
-    """What is attached: bytes by name, the hashes of the manifest by name, and how the pages were made."""
+    """What is attached: bytes by name, the hashes of the manifest by name, and how the pages were made.
+
+    Parameters
+    ----------
+    files : mapping of str to bytes
+        Without the manifest.
+    listed : mapping of str to str
+        Hash of each by the manifest.
+    paper : {'A4', 'Letter'}
+    created : datetime, optional
+        Date that the PDF bears.
+    language : str
+        Of the pages.
+    title : str, optional
+        Of a bound suite.
+    certificates : tuple of str
+        Ids by the manifest, in the order of the pages.
+    """
 
     files: Mapping[str, bytes]
     listed: Mapping[str, str]
     paper: Paper
     created: datetime | None
     language: str = ENGLISH
+    title: str | None = None
+    certificates: tuple[str, ...] = ()
 
 
-def attachments_of(path: Path) -> Attached:
+def attachments_of(path: Path, content: bytes | None = None) -> Attached:
     """Read the attachments of a PDF. Nothing in it is shown or run.
+
+    Parameters
+    ----------
+    path : Path
+    content : bytes, optional
+        The file, where it has been read already.
 
     Raises
     ------
     DataError
         When it is no PDF, is damaged, or carries no manifest.
     """
-    paper, created, found = _opened(path)
+    paper, created, found = _opened(path, read_bounded(path) if content is None else content)
     files = dict(found)
     if len(files) != len(found):
         raise DataError(f"{path}: two attachments of one name; only certificates as made can be verified")
@@ -64,14 +89,16 @@ def attachments_of(path: Path) -> Attached:
             f"{path}: {MANIFEST} is damaged; the certificate was changed since it was made"
         ) from error
     spoken = str(listed.get("language", ENGLISH))
-    return Attached(files, hashes, paper, created, spoken if spoken in languages() else ENGLISH)
+    spoken = spoken if spoken in languages() else ENGLISH
+    title = listed.get("title")
+    ids = tuple(map(str, listed.get("certificates", ())))
+    return Attached(files, hashes, paper, created, spoken, None if title is None else str(title), ids)
 
 
-def _opened(path: Path) -> tuple[Paper, datetime | None, list[tuple[str, bytes]]]:
+def _opened(path: Path, content: bytes) -> tuple[Paper, datetime | None, list[tuple[str, bytes]]]:
     """Open the PDF with PDFium, which is made for files that nobody vouches for."""
     import pypdfium2  # noqa: PLC0415  # only where a PDF is verified
 
-    content = read_bounded(path)
     try:
         document: Any = pypdfium2.PdfDocument(content)
         try:

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING
 
 from certkit.bench.laboratory_terms import laboratory_terms
-from certkit.bench.setup import prepare
+from certkit.bench.setup import prepare, without_model
 from certkit.definitions.laboratory import Laboratory
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.search_path import TextShelf
 from certkit.definitions.loading.validation import validate
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.channel_curves import recording_of
-from certkit.errors import DataError
+from certkit.errors import DataError, OldFormWarning
 from certkit.grading import (
     NO_LABORATORY,
     GradingTerms,
@@ -24,6 +25,7 @@ from certkit.grading import (
 from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
+    from certkit.bench.setup import Setup
     from certkit.definitions.channels import ChannelTable
     from certkit.documents.result import Result
 
@@ -38,18 +40,19 @@ def embedded_shelf(result: Result) -> TextShelf:
     return TextShelf(texts)
 
 
-def regrade(result: Result) -> Result:
-    """Grade the carried channels again by the carried definitions, with the values that were changed then.
+def simulated_here(result: Result) -> bool:
+    """Tell whether a result is of a simulation of certkit itself, not of a recording that was graded."""
+    recorded = any(item.role == "recording" for item in result.provenance.inputs)
+    return result.kind == "virtual certification" and not recorded
 
-    Returns
-    -------
-    Result
-        What certkit, as it is today, makes of them.
+
+def carried_setup(result: Result) -> Setup:
+    """Return the procedure and all that it names from what a result carries, with its changed values.
 
     Raises
     ------
     DataError
-        When the document carries no channels, or not its own procedure.
+        When the document does not carry its own procedure.
     DefinitionError
         When a carried definition cannot be used any more.
     """
@@ -59,8 +62,31 @@ def regrade(result: Result) -> Result:
             f"the document does not carry its procedure `{result.procedure}`; it cannot be graded again"
         )
     overrides = {change.path: change.value for change in result.provenance.overrides}
-    setup = prepare(result.procedure, library=(shelf,), overrides=overrides)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", OldFormWarning)  # whoever verifies did not write them
+        setup = prepare(result.procedure, library=(shelf,), overrides=overrides)
+    return setup if simulated_here(result) else without_model(setup)
+
+
+def regrade(result: Result) -> Result:
+    """Grade the carried channels again by the carried definitions, with the values that were changed then.
+
+    Returns
+    -------
+    Result
+        What certkit, as it is today, makes of them; without the notes on the recording's files, and without
+        energies, motion and front, which only the simulation knows.
+
+    Raises
+    ------
+    DataError
+        When the document carries no channels, or not its own procedure.
+    DefinitionError
+        When a carried definition cannot be used any more.
+    """
+    setup = carried_setup(result)
     channels = setup.legform.channel_table
+    legform = setup.legform.title if simulated_here(result) else ""
     numerical = {
         c.id: c.uncertainty.numerical
         for c in result.criteria
@@ -70,8 +96,8 @@ def regrade(result: Result) -> Result:
     measured = measure_all(setup.procedure, recording_of(result, table=channels), lenient=True)
     again = evaluate(
         measured,
-        GradingTerms(setup.corridors, result.provenance, setup.reference, result.parameters),
-        simulated=SimulatedTerms(quality=result.quality, numerical=numerical),
+        GradingTerms(setup.corridors, result.provenance, setup.reference, setup.parameters),
+        simulated=SimulatedTerms(quality=result.quality, numerical=numerical, legform=legform),
         laboratory=_laboratory(result, channels),
     )
     return worded(again)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.metadata import version
 from typing import TYPE_CHECKING, cast
 
@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 
 # Packages whose version can change a number or a page.
 PACKAGES = ("jinja2", "numba", "numpy", "pydantic", "pymunk", "pyyaml", "weasyprint")
+
+OF_THE_MODEL = ("legform", "vehicle")
+"""Roles that play no part where the leg was a real one."""
 
 # What `--set` may start with, and which definition it then changes.
 _ELSEWHERE = ("legform", "vehicle")
@@ -113,6 +116,15 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Override
         ),
         parameters=tuple(_parameters(loaded)),
         remarks=tuple(remark for _, item in loaded for remark in item.remarks),
+    )
+
+
+def without_model(setup: Setup) -> Setup:
+    """Leave out the numbers of the simulated leg and car; the legform's file stays, for its channels."""
+    return replace(
+        setup,
+        inputs=tuple(item for item in setup.inputs if item.role != "vehicle"),
+        parameters=tuple(p for p in setup.parameters if not p.path.startswith(OF_THE_MODEL)),
     )
 
 

@@ -1,49 +1,112 @@
-"""`certkit verify`: say whether a certificate still holds."""
+"""`certkit verify`: say whether a certificate still holds, what was checked, and what was not."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
 
+if TYPE_CHECKING:
+    from certkit.bench.verification import Verification
+
 Certificate = Annotated[
     list[Path],
     typer.Argument(
-        metavar="CERTIFICATE", help="A document (result.json, …), report.pdf, or a run's folder. Repeatable."
+        metavar="CERTIFICATE [DATA]...",
+        help=(
+            "A document (result.json, …), report.pdf, or a run's folder; repeatable. Recordings among them "
+            "(ISO-MME, CSV) are compared with the hashes and channels of the certificates."
+        ),
     ),
 ]
+Trust = Annotated[
+    Path | None,
+    typer.Option(
+        "--trust",
+        metavar="ROOTS.pem",
+        help="Certificates that have to vouch for the signer of a PDF; without a signature it does not hold.",
+    ),
+]
+Quick = Annotated[bool, typer.Option("--quick", help="Do not simulate simulated certificates again.")]
+
+EXIT = {"holds": 0, "does not hold": 1, "not checked": 4}
+SIGNS = {"holds": "✓", "does not hold": "✗", "not checked": "–"}
 
 
 def verify(
     certificate: Certificate,
     *,
+    trust: Trust = None,
+    quick: Quick = False,
     as_json: options.AsJson = False,
     verbose: options.Verbose = False,
 ) -> None:
-    """Check every hash of a certificate, grade it again from what it carries, and say whether it still holds.
+    """Check a certificate: every hash, every page, the grading, the simulation, the sources, the signature.
 
-    Exit code 0 when it holds, 1 when it does not, 2 when it cannot be read.
+    Exit code 0 when it holds, 1 when it does not, 2 when it cannot be read, 4 when nothing speaks against it
+    but something could not be checked. What nobody asked for (recordings that were not named, `--quick`) is
+    told as well, and does not count.
     """
     import json  # noqa: PLC0415  # waits until a certificate is verified
-    from dataclasses import asdict  # noqa: PLC0415  # likewise
 
+    from certkit.bench.verify import is_certificate  # noqa: PLC0415  # likewise
     from certkit.bench.verify import verify as check  # noqa: PLC0415  # likewise
+    from certkit.errors import UsageError  # noqa: PLC0415  # likewise
+    from certkit.reporting.verification_words import LIMITS  # noqa: PLC0415  # likewise
 
-    found = [check(path) for path in certificate]
+    certificates = [path for path in certificate if is_certificate(path)] or certificate[:1]
+    data = [path for path in certificate if path not in certificates]
+    if not all(path.exists() for path in certificate):
+        missing = next(path for path in certificate if not path.exists())
+        raise UsageError(f"{missing}: there is no such file or folder")
+    found = [check(path, data, trust=trust, quick=quick) for path in certificates]
     if as_json:
-        typer.echo(
-            json.dumps(
-                [{**asdict(each), "holds": each.holds} for each in found], ensure_ascii=False, indent=1
-            )
-        )
-    for each in () if as_json else found:
-        for one in each.checks:
-            if verbose or not one.holds:
-                typer.echo(f"{'✓' if one.holds else '✗'} {one.what}{': ' if one.said else ''}{one.said}")
-        count = len(each.checks)
-        said = f"holds: {count} checks" if each.holds else "does not hold"
-        typer.echo(f"{each.certificate} ({', '.join(each.ids)}) {said}")
-    raise typer.Exit(0 if all(each.holds for each in found) else 1)
+        typer.echo(json.dumps([_plain(each) for each in found], ensure_ascii=False, indent=1))
+    else:
+        for each in found:
+            _tell(each, verbose=verbose)
+        typer.echo(LIMITS)
+    codes = {EXIT[each.outcome] for each in found}
+    raise typer.Exit(next(code for code in (1, 4, 0) if code in codes))
+
+
+def _tell(found: Verification, *, verbose: bool) -> None:
+    """Say what does not hold and what was not checked; then the verdict, and what was checked."""
+    for check in found.checks:
+        if verbose or not check.holds:
+            said = f": {check.said}" if check.said else ""
+            typer.echo(f"{SIGNS[check.outcome]} {check.what}{said}")
+    held = [check for check in found.checks if check.holds]
+    groups = list(dict.fromkeys(check.what.partition(":")[0] for check in held))
+    left = list(dict.fromkeys(check.what for check in found.of("not checked")))
+    verdicts = f", verdict {', '.join(found.verdicts)}" if found.verdicts else ""
+    outcome = f"holds: {len(held)} checks" if found.holds else found.outcome
+    if found.outcome == "not checked":
+        outcome = "cannot be said to hold: not everything could be checked"
+    typer.echo(f"checked: {', '.join(groups) or 'nothing'}")
+    typer.echo(f"not checked: {', '.join(left) or 'nothing was left out'}")
+    typer.echo(f"{found.certificate} ({', '.join(found.ids)}{verdicts}) {outcome}")
+
+
+def _plain(found: Verification) -> dict[str, object]:
+    checks = [
+        {
+            "what": each.what,
+            "outcome": each.outcome,
+            "code": each.code,
+            "said": each.said,
+            "asked": each.asked,
+        }
+        for each in found.checks
+    ]
+    return {
+        "certificate": found.certificate,
+        "ids": found.ids,
+        "verdicts": found.verdicts,
+        "outcome": found.outcome,
+        "holds": found.holds,
+        "checks": checks,
+    }

@@ -72,9 +72,17 @@ def enclosures(result: Result, prefix: str = "") -> list[Enclosure]:
     return found
 
 
-def manifest(parts: Sequence[Enclosure], ids: Sequence[str], spoken: str = ENGLISH) -> Enclosure:
-    """Return the list of all enclosures with their hashes and the pages' language, itself an enclosure."""
+def manifest(
+    parts: Sequence[Enclosure], ids: Sequence[str], spoken: str = ENGLISH, title: str | None = None
+) -> Enclosure:
+    """Return the list of all enclosures with their hashes, itself an enclosure.
+
+    It also tells what the pages are made by beside the documents: their language, and the title of a suite,
+    so that they can be made again.
+    """
     listed = [{"name": part.name, "role": part.role, "sha256": part.sha256} for part in parts]
-    data = {"schema": SCHEMA, "certificates": list(ids), "language": spoken, "attachments": listed}
+    data: dict[str, object] = {"schema": SCHEMA, "certificates": list(ids), "language": spoken}
+    data |= {} if title is None else {"title": title}
+    data["attachments"] = listed
     content = json.dumps(data, ensure_ascii=False, indent=1) + "\n"
     return Enclosure(MANIFEST, "manifest", content.encode(), "Supplement")

@@ -114,7 +114,7 @@ def certificate(
         for shown, result in zip(views, results, strict=True)
     ]
     parts = [part for chapter in chapters for part in chapter.enclosures]
-    listed = manifest(parts, [r.id for r in results], spoken)
+    listed = manifest(parts, [r.id for r in results], spoken, title)
     created = created or creation_date(results)
     html = fill(
         "certificate.html.j2",

@@ -35,6 +35,9 @@ None where there is nothing to write. It is imported when it is asked for: JUnit
 """
 
 
+SUITE_TITLE = "Certification suite"
+
+
 def checked(formats: Collection[str]) -> list[str]:
     """Return the formats in writing order.
 
@@ -94,7 +97,7 @@ def render_suite(
     out: Path,
     formats: Collection[str],
     *,
-    title: str = "Certification suite",
+    title: str = SUITE_TITLE,
     paper: Paper = "A4",
     spoken: str = ENGLISH,
 ) -> list[Path]:

@@ -1,0 +1,137 @@
+"""Check of a certificate's pages: rendered again from what is attached, and compared."""
+
+from __future__ import annotations
+
+import re
+from difflib import SequenceMatcher
+from importlib.metadata import version
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit._version import __version__
+from certkit.bench.pdf_pages import pdf_pages
+from certkit.bench.verification import Check, fails, holds, unchecked
+from certkit.errors import CertkitError
+from certkit.reporting.writing import SUITE_TITLE
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from certkit.bench.pdf_attachments import Attached
+    from certkit.bench.pdf_pages import PdfPage
+    from certkit.documents.result import Result
+
+WHAT = "pages"
+
+DOTS = 12
+"""Dots of a page that may differ between two versions of WeasyPrint."""
+
+CONTRAST = 64
+"""Of 255 grey values, by which a dot has to differ to count."""
+
+
+def rendered_again(results: Sequence[Result], attached: Attached) -> bytes | Check:
+    """Return the PDF that the attached documents render to, or why it cannot be rendered."""
+    others = [r.provenance.certkit for r in results if r.provenance.certkit != __version__]
+    if others:
+        return unchecked(WHAT, "pages-of-another-version", version=others[0], now=__version__)
+    from certkit.reporting.pdf_certificate import certificate  # noqa: PLC0415  # WeasyPrint takes a second
+
+    title = attached.title if attached.title is not None else SUITE_TITLE if len(results) > 1 else None
+    try:
+        return certificate(
+            results,
+            paper=attached.paper,
+            title=title,
+            contents=title is not None,
+            created=attached.created,
+            spoken=attached.language,
+        )
+    except CertkitError as error:
+        return unchecked(WHAT, "pages-not-renderable", error=" ".join(str(error).split()))
+
+
+def page_checks(
+    content: bytes, pages: Sequence[PdfPage], results: Sequence[Result], made: bytes | Check
+) -> Iterator[Check]:
+    """Check that the pages are what the attached documents render to.
+
+    Parameters
+    ----------
+    content : bytes
+        The file as it is, or as it was before it was signed.
+    pages : sequence of PdfPage
+        Its pages.
+    results : sequence of Result
+        The attached documents.
+    made : bytes or Check
+        From `rendered_again`.
+    """
+    blank = [number for number, page in enumerate(pages, 1) if not page.text and page.picture.min() > 250]
+    if isinstance(made, Check):
+        yield from (fails(WHAT, "page-blank", page=number) for number in blank)
+        ids = [result.id for result in results]
+        for number, page in enumerate(pages, 1):
+            contents = len(results) > 1 and number == 1
+            if number not in blank and not contents and not any(each in page.text for each in ids):
+                yield fails(WHAT, "page-foreign", page=number)
+        yield made
+        return
+    if content.rstrip(b"\r\n") == made.rstrip(b"\r\n"):
+        yield holds(WHAT, "pages-same-bytes")
+        return
+    wanted = pdf_pages(made, WHAT)
+    if len(pages) != len(wanted):
+        yield from (fails(WHAT, "page-blank", page=number) for number in blank)
+        yield fails(WHAT, "page-count", said=len(pages), made=len(wanted))
+        return
+    installed = version("weasyprint")
+    recorded = {result.provenance.packages.get("weasyprint", "") for result in results}
+    found = list(_compared(pages, wanted, "" if recorded == {installed} else ", ".join(sorted(recorded))))
+    if found:
+        yield from found
+    elif recorded == {installed}:
+        yield unchecked(WHAT, "pages-rewritten")
+    else:
+        yield holds(WHAT, "pages-same-look")
+
+
+def _compared(said: Sequence[PdfPage], made: Sequence[PdfPage], engine: str) -> Iterator[Check]:
+    """Compare size, words and dots of every page; `engine` is another WeasyPrint that made them."""
+    for number, (is_, should) in enumerate(zip(said, made, strict=True), 1):
+        if abs(is_.width - should.width) > 0.5 or abs(is_.height - should.height) > 0.5:
+            yield fails(WHAT, "page-size", page=number)
+            continue
+        if is_.text != should.text:
+            before, after = _first_difference(is_.text, should.text)
+            yield fails(WHAT, "page-text", page=number, said=before, made=after)
+            continue
+        place = _other_dots(is_, should, exact=not engine)
+        if place and engine:
+            yield unchecked(
+                WHAT, "page-picture-other-engine", page=number, place=place, version=engine or "another"
+            )
+        elif place:
+            yield fails(WHAT, "page-picture", page=number, place=place)
+
+
+def _first_difference(said: str, made: str) -> tuple[str, str]:
+    """Return the words where two texts first differ."""
+    old, new = (re.findall(r"\S+", text) for text in (said, made))
+    for word, i, j, k, m in SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
+        if word != "equal":
+            return " ".join(old[i : min(j, i + 8)]), " ".join(new[k : min(m, k + 8)])
+    return said[:40], made[:40]
+
+
+def _other_dots(said: PdfPage, made: PdfPage, *, exact: bool) -> str:
+    """Return where two pictures differ, in millimetres from the upper left corner; empty where nowhere."""
+    if said.picture.shape != made.picture.shape:
+        return "its edges"
+    apart = np.abs(said.picture.astype(np.int16) - made.picture.astype(np.int16))
+    other = apart > (0 if exact else CONTRAST)
+    if int(other.sum()) <= (0 if exact else DOTS):
+        return ""
+    down, across = (values.mean() * 25.4 / 72 for values in np.nonzero(other))
+    return f"{across:.0f} mm across, {down:.0f} mm down"

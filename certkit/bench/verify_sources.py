@@ -1,0 +1,126 @@
+"""Checks against what lies outside a certificate: its recordings, and the definitions that certkit ships."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from typing import TYPE_CHECKING
+
+from certkit.bench.compare_documents import differences
+from certkit.bench.regrade import carried_setup
+from certkit.bench.verification import Check, fails, holds, left_out, unchecked
+from certkit.bench.verify_document import of_another_certkit
+from certkit.definitions.channel_mapping import Mapping
+from certkit.definitions.loading.kinds import KINDS
+from certkit.definitions.loading.library import parse
+from certkit.definitions.loading.search_path import Found, is_name, shipped_shelf
+from certkit.definitions.loading.validation import validate
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.documents.channel_curves import raw_channels
+from certkit.errors import CertkitError
+from certkit.exchange.read import read_recording
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+    from pathlib import Path
+
+    from certkit.documents.result import InputFile, Result
+    from certkit.signals import Recording
+
+WORDS = re.compile(r"(^|\.)(origin|source|confidence|note|notes|title|clause|method)(\.|$)")
+"""Fields of a definition that tell where numbers come from."""
+
+
+def source_checks(result: Result, data: Sequence[Path]) -> Iterator[Check]:
+    """Compare the recordings that are handed beside a certificate with those that it was made from.
+
+    Hashes of the files first; then, since a hash may be copied into a document, every channel.
+    """
+    recorded = {item.sha256: item.path for item in result.provenance.inputs if item.role == "recording"}
+    if not recorded:
+        return
+    if not data:
+        yield left_out("recording", "sources-not-given")
+        return
+    seen: set[str] = set()
+    for path in data:
+        what = f"recording {path.name}"
+        try:
+            mapping = _mapping(result)
+            tables = (carried_setup(result).legform.channel_table,)
+            read = read_recording(path, mapping, lenient=True, tables=tables)
+        except CertkitError as error:
+            yield unchecked(what, "source-unreadable", error=" ".join(str(error).split()))
+            continue
+        hashes = {file.sha256: file.name for file in read.files}
+        known = hashes.keys() & recorded.keys()
+        if not known:
+            yield fails(what, "source-unknown")
+            continue
+        seen |= known
+        foreign = [hashes[each] for each in hashes.keys() - recorded.keys()]
+        if foreign:
+            yield fails(what, "source-differs", name=min(foreign))
+            continue
+        yield from _channel_checks(what, result, read.recording)
+    missing = sorted(path for sha256, path in recorded.items() if sha256 not in seen)
+    if missing:
+        yield unchecked("recording", "source-missing", names=", ".join(missing[:3]))
+
+
+def _channel_checks(what: str, result: Result, recording: Recording) -> Iterator[Check]:
+    held = raw_channels(recording)
+    for name, series in (result.channels.series if result.channels else {}).items():
+        now = held.series.get(name) if held is not None else None
+        if now is None or any(differences(series.values, now.values)):
+            yield fails(what, "channels-of-source-differ", channel=name)
+            return
+    yield holds(what, "source-same")
+
+
+def _mapping(result: Result) -> Mapping | None:
+    for item in result.provenance.inputs:
+        if item.role == "mapping" and item.text is not None:
+            return validate(
+                read_tree(item.text, item.path), Mapping, channels=carried_setup(result).legform.channel_table
+            )
+    return None
+
+
+def definition_checks(result: Result) -> Iterator[Check]:
+    """Compare the definitions that a certificate carries with the shipped ones of their names."""
+    for item in result.provenance.inputs:
+        if item.text is None or item.role not in KINDS:
+            continue
+        try:
+            yield from _definition_check(result, item, item.text)
+        except CertkitError as error:
+            yield fails(f"{item.role} {item.path}", "not-gradable", error=" ".join(str(error).split()))
+
+
+def _definition_check(result: Result, item: InputFile, text: str) -> Iterator[Check]:
+    kind = KINDS[item.role]
+    name = str(read_tree(text, item.path).data.get(item.role))
+    shipped = shipped_shelf().find(kind, name) if is_name(name) else None
+    if shipped is None:
+        return  # of one's own, under a name of its own
+    what = f"{item.role} {name}"
+    if hashlib.sha256(shipped.data).digest() == hashlib.sha256(text.encode()).digest():
+        yield holds(what, "as-shipped")
+        return
+    carried = parse(kind, Found(item.path, text.encode(), item.path))
+    found = list(differences(carried.document, parse(kind, shipped).document))
+    if not found:
+        yield holds(what, "text-differs")
+        return
+    numbers = [each for each in found if not WORDS.search(each.place)]
+    first = (numbers or found)[0]
+    told = {"place": first.place, "said": first.said, "made": first.made}
+    if item.role == "corridors" and numbers:
+        yield fails(what, "limits-differ", **told)
+    elif item.path != shipped.label:
+        yield unchecked(what, "definition-of-ones-own", **told)
+    elif of_another_certkit(result):
+        yield unchecked(what, "definition-of-another-version", **told)
+    else:
+        yield fails(what, "claims-to-be-shipped", **told)
