@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import logging
 from typing import TYPE_CHECKING, Any
 
 from certkit.bench.verification import Check, fails, holds, left_out, unchecked
@@ -51,6 +52,7 @@ def signature_checks(content: bytes, trust: Path | None = None) -> Iterator[Chec
         yield fails(WHAT, "trust-unreadable", error=f"{trust}: holds no certificate ({error})")
         return
     try:
+        _be_quiet()
         embedded = list(PdfFileReader(io.BytesIO(content), strict=False).embedded_signatures)
         for number, each in enumerate(embedded, 1):
             yield from _checked(each, roots, last=number == len(embedded))
@@ -58,6 +60,12 @@ def signature_checks(content: bytes, trust: Path | None = None) -> Iterator[Chec
             yield fails(WHAT, "signature-unreadable", error="no signature can be found in it")
     except Exception as error:  # noqa: BLE001  # a changed file makes pyHanko raise many kinds
         yield fails(WHAT, "signature-unreadable", error=" ".join(str(error).split())[:200])
+
+
+def _be_quiet() -> None:
+    """Keep pyHanko from logging what is told as a check."""
+    for name in ("pyhanko", "pyhanko_certvalidator"):
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
 
 
 def _roots(trust: Path | None) -> list[Any]:

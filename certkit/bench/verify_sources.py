@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 WORDS = re.compile(r"(^|\.)(origin|source|confidence|note|notes|title|clause|method)(\.|$)")
 """Fields of a definition that tell where numbers come from."""
 
+LIMITS = re.compile(r"^(windows|polygons|bands|scores)\..+\.(lower|upper|points|full|zero|at|x|y)\b")
+"""Fields of a corridor that decide; an entry that only one of both has is none of them."""
+
 
 def source_checks(result: Result, data: Sequence[Path]) -> Iterator[Check]:
     """Compare the recordings that are handed beside a certificate with those that it was made from.
@@ -113,10 +116,10 @@ def _definition_check(result: Result, item: InputFile, text: str) -> Iterator[Ch
     if not found:
         yield holds(what, "text-differs")
         return
-    numbers = [each for each in found if not WORDS.search(each.place)]
-    first = (numbers or found)[0]
+    limits = [each for each in found if item.role == "corridors" and LIMITS.search(each.place)]
+    first = (limits or [each for each in found if not WORDS.search(each.place)] or found)[0]
     told = {"place": first.place, "said": first.said, "made": first.made}
-    if item.role == "corridors" and numbers:
+    if limits:
         yield fails(what, "limits-differ", **told)
     elif item.path != shipped.label:
         yield unchecked(what, "definition-of-ones-own", **told)

@@ -32,6 +32,7 @@ VERIFICATION_WORDS: Mapping[str, str] = MappingProxyType(
         "note-missing": "the document lacks: {note}",
         "notes-from-recording": "{count} notes can only come from the recording's files, such as: {note}",
         "words-of-another-version": "`{place}` is worded otherwise by certkit {version}",
+        "gate-other-figure": "holds {said} against its limit where the run's figure is {made}",
         "gate-contradicts": "`{title}`: {value:.4g} against {limit:.4g} {unit} is called {verdict}",
         # Reproduction.
         "quick": "left out by --quick",
