@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from certkit.bench.fit_origins import fits_of, fitted_to, on_bounds
 from certkit.bench.setup import Setup, prepare
+from certkit.documents.rounding import rounded_difference
 from certkit.grading import (
     SimulatedTerms,
     criterion_values,
@@ -145,7 +146,7 @@ def _refine(setup: Setup, reported: Simulation, measured: Measurements) -> Refin
     iterated = criterion_values(measure_all(setup.procedure, patient.recording))
     by_step = numerical_uncertainties([values, halved])
     uncertainties = {
-        name: by_step[name] + abs(after - before)
+        name: rounded_difference(by_step[name] + abs(after - before), of=before)
         for name, before in values.items()
         if name in by_step and before is not None and (after := iterated.get(name)) is not None
     }

@@ -8,7 +8,7 @@ import numpy as np
 
 from certkit.definitions.loading.channel_tables import default_channels
 from certkit.documents.result import Histories, Series
-from certkit.documents.rounding import rounded_all
+from certkit.documents.rounding import rounded_series
 from certkit.errors import DataError
 from certkit.signals import Channel, Recording
 
@@ -66,7 +66,7 @@ def drawn_curves(filtered: Filtered, filters: Mapping[str, str], until: float) -
             name: Series(
                 title=channel.title,
                 unit=channel.dimension.unit,
-                values=rounded_all(thinned(values, stride)),
+                values=rounded_series(thinned(values, stride)),
                 filter=words,
             )
             for name, (channel, words, values) in found.items()
@@ -91,7 +91,7 @@ def raw_channels(recording: Recording) -> Histories | None:
             name: Series(
                 title=channel.title,
                 unit=channel.dimension.unit,
-                values=rounded_all(channel.values * channel.dimension.scale),
+                values=rounded_series(channel.values * channel.dimension.scale),
                 filter=channel.filtered or "none",
             )
             for name, channel in finite.items()

@@ -16,6 +16,12 @@ if TYPE_CHECKING:
 
 SIGNIFICANT_DIGITS = 7
 
+FLOOR_DIGITS = 10
+"""Digits below the first of a channel's largest sample in which its smallest samples are written."""
+
+RESIDUAL_DECIMALS = 6
+"""Decimals of a residual in its unit (%, mm): far below any limit that it is held against."""
+
 
 def rounded(value: float) -> float:
     """Round to the digits that the document keeps, so that the last bits of a platform's libm do not show."""
@@ -43,6 +49,35 @@ def rounded_all(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
     for index in np.flatnonzero(plain & (given != 0)):
         listed[int(index)] = rounded(listed[int(index)])
     return listed
+
+
+def rounded_series(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
+    """Round the samples of one channel: seven digits each, and none finer than `FLOOR_DIGITS` of the largest.
+
+    A sample near zero is a difference of large numbers, and its own seven digits are the noise of a
+    processor's last bits: with and without fused multiply-add a few of 100,000 samples would round apart.
+    """
+    import numpy as np  # noqa: PLC0415  # as above
+
+    given = np.asarray(values, dtype=np.float64)
+    peak = rounded(float(np.abs(given).max(initial=0.0)))
+    if peak == 0 or not math.isfinite(peak):
+        return rounded_all(given)
+    decimals = FLOOR_DIGITS - 1 - math.floor(math.log10(peak))
+    # Twice: the floor first, so that what is left of a small sample is short when its digits are rounded.
+    return rounded_all(np.where(np.abs(given) < peak, np.round(given, decimals) + 0.0, given))
+
+
+def rounded_residual(value: float) -> float:
+    """Round a residual, such as the gap of a joint, which is zero but for the last bits of a processor."""
+    return round(value, RESIDUAL_DECIMALS) + 0.0 if math.isfinite(value) else value
+
+
+def rounded_difference(value: float, of: float) -> float:
+    """Round a small difference of two numbers of the size `of`, whose last bits are a processor's own."""
+    if of == 0 or not (math.isfinite(value) and math.isfinite(of)):
+        return value
+    return round(value, FLOOR_DIGITS - 2 - math.floor(math.log10(abs(of)))) + 0.0
 
 
 def rounded_rows(rows: Sequence[Sequence[float]]) -> list[list[float]]:

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING, Protocol
 
 from certkit.documents.result import Quality, QualityCheck
+from certkit.documents.rounding import rounded_residual
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -117,7 +118,7 @@ def grade_quality(
 
 def _check(code: str, value: float, limit: float, unit: str, remedy: Reason) -> QualityCheck:
     # The document holds no NaN; what is not a number is written down as far out of its limit as can be.
-    shown = value if math.isfinite(value) else 1e300
+    shown = rounded_residual(value) if math.isfinite(value) else 1e300
     kept = shown <= limit
     return QualityCheck(
         coded_title=Reason.of(code),

@@ -41,4 +41,12 @@ def validation() -> None:
     typer.echo(f"wrote {DOCS / 'validation.md'}")
 
 
+@app.command("security")
+def security() -> None:
+    """Try every forgery that the tests know, and write what `verify` says of each into docs/security.md."""
+    from docs.make.security import write_security  # noqa: PLC0415  # as above
+
+    typer.echo(f"wrote {write_security(typer.echo)}")
+
+
 app()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.documents.result import Histories, Series
+from certkit.documents.rounding import rounded_series
 from certkit.mechanics.force_laws import ENERGY_ACCOUNTS
 
 if TYPE_CHECKING:
@@ -96,7 +97,7 @@ def energy_histories(quality: RunQuality, recording: Recording) -> Histories | N
         interval=recording.interval * every,
         count=len(range(0, count, every)),
         series={
-            name: Series(title=name, unit="J", values=values[::every].tolist())
+            name: Series(title=name, unit="J", values=rounded_series(values[::every]))
             for name, values in quality.energies.items()
         },
     )

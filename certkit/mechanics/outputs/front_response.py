@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.documents.result import CurveInPlane, Front, Histories, Series
+from certkit.documents.rounding import rounded_series
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -56,7 +57,7 @@ def front_response(rig: RigAssembly, run: Trajectory, readings: Mapping[str, Flo
             interval=float(time[1] - time[0]) * every,
             count=len(range(0, len(time), every)),
             series={
-                name: Series(title=name, unit=unit, values=(scale * v[::every]).tolist())
+                name: Series(title=name, unit=unit, values=rounded_series(scale * v[::every]))
                 for name, v in values.items()
             },
         )
