@@ -90,7 +90,7 @@ def _checked(embedded: Any, roots: list[Any], *, last: bool) -> Iterator[Check]:
     context = ValidationContext(trust_roots=roots, allow_fetching=False)
     any_use = KeyUsageConstraints(key_usage=set())
     status = validate_pdf_signature(embedded, context, key_usage_settings=any_use)
-    signer = str(embedded.signer_cert.subject.human_friendly)
+    signer = str(embedded.signer_cert.subject.human_friendly).removeprefix("Common Name: ")
     if not status.intact:
         yield fails(WHAT, "signature-broken", signer=signer)
         return
@@ -118,4 +118,8 @@ def _harmless() -> set[Any]:
 
 def _root(status: Any) -> str:  # noqa: ANN401  # likewise
     path = status.validation_path
-    return str(path.trust_anchor.name.human_friendly) if path is not None else "a root of --trust"
+    return (
+        str(path.trust_anchor.authority.name.human_friendly).removeprefix("Common Name: ")
+        if path is not None
+        else "a root of --trust"
+    )

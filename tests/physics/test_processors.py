@@ -1,4 +1,4 @@
-"""A certificate has one id on every processor, though sines differ in the last bits without fused operations."""
+"""A certificate has one id on every processor, though the last bits of a sine are not the same on all."""
 
 from __future__ import annotations
 
