@@ -77,15 +77,15 @@ def read_bounded(path: Path, label: str | None = None) -> bytes:
     try:
         status = path.stat()
         if not stat.S_ISREG(status.st_mode):
-            raise DataError(f"{label}: not a plain file")
+            raise DataError(f"{label}: not a plain file; name the file itself")
         if status.st_size > MAX_FILE_BYTES:
             raise DataError(
                 f"{label}: {status.st_size / MEGABYTE:.0f} MB; "
-                f"files above {MAX_FILE_BYTES / MEGABYTE:.0f} MB are refused"
+                f"above {MAX_FILE_BYTES / MEGABYTE:.0f} MB files are refused: export a shorter record"
             )
         return path.read_bytes()
     except OSError as error:
-        raise DataError(f"{label}: cannot be read ({error.strerror})") from error
+        raise DataError(f"{label}: cannot be read ({error.strerror}); check its permissions") from error
 
 
 def open_container(path: Path) -> Container:
@@ -99,7 +99,7 @@ def open_container(path: Path) -> Container:
     if path.is_dir():
         return _folder(path)
     if not path.exists():
-        raise DataError(f"{path}: there is no such file or folder")
+        raise DataError(f"{path}: there is no such file or folder; check the name")
     return _archive(path)
 
 
@@ -138,13 +138,13 @@ def _archive(path: Path) -> Container:
     for member in members:
         _check_member(path, member)
         if member.filename in by_name:
-            raise DataError(f"{path}/{member.filename}: stands twice in the archive")
+            raise DataError(f"{path}/{member.filename}: stands twice in the archive; pack the test again")
         by_name[member.filename] = member
     total = sum(member.file_size for member in members)
     if total > MAX_CONTAINER_BYTES:
         raise DataError(
             f"{path}: unpacks to {total / MEGABYTE:.0f} MB; "
-            f"refused above {MAX_CONTAINER_BYTES / MEGABYTE:.0f} MB"
+            f"refused above {MAX_CONTAINER_BYTES / MEGABYTE:.0f} MB: pack one test"
         )
 
     def read(name: str) -> bytes:
@@ -158,7 +158,9 @@ def _archive(path: Path) -> Container:
                 f"{path}/{name}: damaged in the archive ({error}); pack the test again"
             ) from error
         if len(data) != member.file_size:
-            raise DataError(f"{path}/{name}: does not have the size that the archive states")
+            raise DataError(
+                f"{path}/{name}: does not have the size that the archive states; pack the test again"
+            )
         return data
 
     return Container(str(path), tuple(sorted(by_name)), read)
@@ -170,14 +172,14 @@ def _check_member(path: Path, member: zipfile.ZipInfo) -> None:
     place = f"{path}/{name}"
     parts = PurePosixPath(name).parts
     if name.startswith("/") or ".." in parts or "\\" in name or ":" in name or "\0" in member.orig_filename:
-        raise DataError(f"{place}: the name leads out of the archive; refused")
+        raise DataError(f"{place}: the name leads out of the archive; pack the test folder again")
     if stat.S_ISLNK(member.external_attr >> 16):
-        raise DataError(f"{place}: a symbolic link in the archive; refused")
+        raise DataError(f"{place}: a symbolic link in the archive; pack the file itself")
     if member.flag_bits & 0x1:
         raise DataError(f"{place}: locked with a password; unlock the archive first")
     bomb = member.file_size > MEGABYTE and member.file_size > MAX_COMPRESSION * max(member.compress_size, 1)
     if bomb or member.file_size > MAX_FILE_BYTES:
         raise DataError(
             f"{place}: unpacks to {member.file_size / MEGABYTE:.0f} MB from {member.compress_size} bytes; "
-            "refused as a zip bomb"
+            "refused as a zip bomb: pack the test folder again"
         )

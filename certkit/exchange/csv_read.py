@@ -133,7 +133,8 @@ def _status(table: CsvTable, known: ChannelTable) -> tuple[dict[str, Reason], li
         bad, told = judged(text, place, channel)
         if bad is not None and not channel:
             raise DataError(
-                f"{place}: data status is `{text[:60]}`; a test whose data are not `ok` is not read"
+                f"{place}: data status is `{text[:60]}`; a test whose data are not `ok` is not read: "
+                "repeat it"
             )
         if bad is not None:
             refused[channel] = bad

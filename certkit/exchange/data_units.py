@@ -76,7 +76,7 @@ def quantity(text: str, dimension: str, default_unit: str = "") -> float:
     """
     match = re.fullmatch(r"\s*([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
     if match is None:
-        raise ValueError(f"`{text[:60]}` is not a number with a unit")
+        raise ValueError(f"`{text[:60]}` is not a number with a unit; write one such as `20.5 degC`")
     number, unit = match.group(1).replace(",", "."), match.group(2) or default_unit
     return parse_quantity(f"{number} {_SPELLINGS.get(unit, unit)}".strip(), dimension)
 

@@ -151,7 +151,9 @@ def _time_base(header: Header, leniency: Leniency) -> TimeBase:
         )
     line = header.find("Sampling interval")
     if line is None:
-        raise DataError(f"{header.place}: no `Sampling interval`; without it there is no time axis")
+        raise DataError(
+            f"{header.place}: no `Sampling interval`; without it there is no time axis: add the line"
+        )
     interval = header.quantity(line, "time", "s")
     if not 1e-8 <= interval <= 60.0:
         raise DataError(
@@ -168,14 +170,17 @@ def _time_base(header: Header, leniency: Leniency) -> TimeBase:
     samples = header.count(count)
     if samples > MAX_SAMPLES:
         raise DataError(
-            f"{header.at(count)}: {count.value[:40]} samples; more than {MAX_SAMPLES} are refused"
+            f"{header.at(count)}: {count.value[:40]} samples; more than {MAX_SAMPLES} are refused: "
+            "export a shorter record"
         )
     return TimeBase(begin, interval, samples)
 
 
 def _count(header: Header, stated: int, found: int, leniency: Leniency) -> int:
     if found > MAX_SAMPLES:
-        raise DataError(f"{header.place}: {found} samples; more than {MAX_SAMPLES} are refused")
+        raise DataError(
+            f"{header.place}: {found} samples; more than {MAX_SAMPLES} are refused: export a shorter record"
+        )
     if stated not in {-1, found}:
         line = header.find("Number of samples")
         place = header.at(line) if line else header.place

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 from certkit.errors import DataError
 from certkit.exchange.container import MAX_HEADER_LINES, MAX_LINE
@@ -102,7 +103,8 @@ class Header:
         """
         if not re.fullmatch(r"\d{1,30}", line.value):
             raise DataError(
-                f"{self.at(line)}: `{line.descriptor}` is `{line.value[:40]}`; a whole number is needed"
+                f"{self.at(line)}: `{line.descriptor}` is `{line.value[:40]}`; a whole number is "
+                "needed: correct it"
             )
         return int(line.value)
 
@@ -117,6 +119,7 @@ def _same(one: str, other: str) -> bool:
         return False
 
 
+@lru_cache(maxsize=4096)
 def _plain(descriptor: str) -> str:
     """Bring a descriptor to the form in which editions agree: no dots, single spaces, small letters."""
     return re.sub(r"\s+", " ", descriptor.replace(".", " ")).strip().casefold()

@@ -68,7 +68,7 @@ class _Texts:
         data = self.container.read(name)
         place = self.container.place(name)
         if not data.strip():
-            raise DataError(f"{place}: is empty")
+            raise DataError(f"{place}: is empty; export the test again")
         text, encoding = decode(data, place)
         self.files.append(SourceFile(name, hashlib.sha256(data).hexdigest()))
         if encoding != "ascii" and encoding not in self.encodings:
@@ -144,7 +144,7 @@ def _only(container: Container, suffix: str, path: Path) -> str:
     """Find the one file with that suffix."""
     found = [name for name in container.names if name.lower().endswith(suffix)]
     if not found:
-        raise DataError(f"{path}: no {suffix} file; is this the folder of an ISO-MME test?")
+        raise DataError(f"{path}: no {suffix} file; is this the folder of an ISO-MME test? Name that")
     if len(found) > 1:
         raise DataError(
             f"{path}: {len(found)} {suffix} files ({found[0]}, {found[1]}); name the folder of one test"
@@ -160,7 +160,7 @@ def _channel_list(texts: _Texts, leniency: Leniency) -> list[_Listed]:
         leniency.depart(container.label, "no channel list (.chn)", "all channel files that are there")
         names = [name for name in container.names if re.search(r"\.\d{3,}$", name)]
         if not names:
-            raise DataError(f"{container.label}: no channel files")
+            raise DataError(f"{container.label}: no channel files; export the test again")
         return [_Listed(name, _code_of(texts, name)) for name in names[:MAX_CHANNELS]]
     if len(lists) > 1:
         raise DataError(f"{container.label}: {len(lists)} channel lists ({lists[0]}, {lists[1]}); keep one")
@@ -187,7 +187,8 @@ def _listed(header: Header, place: PurePosixPath, container: Container, leniency
     count = header.count(announced) if announced else len(named)
     if announced and count > MAX_CHANNELS:
         raise DataError(
-            f"{header.at(announced)}: {announced.value[:40]} channels; more than {MAX_CHANNELS} are refused"
+            f"{header.at(announced)}: {announced.value[:40]} channels; more than {MAX_CHANNELS} are "
+            "refused: correct the count"
         )
     if announced and count != len(named):
         leniency.depart(

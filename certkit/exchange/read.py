@@ -43,9 +43,12 @@ def read_recording(
         One line that says what is wrong, where, and what to do.
     """
     if not path.exists():
-        raise DataError(f"{path}: there is no such file or folder")
+        raise DataError(f"{path}: there is no such file or folder; check the name")
     if path.is_dir() or path.suffix.lower() in {".zip", ".mme"}:
         return read_mme(path, mapping, lenient=lenient, tables=tables)
     if path.suffix.lower() in {".csv", ".txt", ".tsv"} or (mapping and mapping.csv):
         return read_csv(path, mapping, lenient=lenient, tables=tables)
-    raise DataError(f"{path}: not an ISO-MME folder, .zip or .mme, and not a .csv file")
+    raise DataError(
+        f"{path}: not an ISO-MME folder, .zip or .mme, and not a .csv file; name one of these, or use "
+        "--mapping"
+    )

@@ -94,7 +94,10 @@ def common_base(
     step = min(axis.interval for axis, _ in parts.values())
     count = int((end - begin) / step + 1e-6) + 1 if end > begin else 0
     if not 2 <= count <= MAX_SAMPLES:
-        raise DataError(f"{place}: shares no time with {first_place}; these are not channels of one test")
+        raise DataError(
+            f"{place}: shares no time with {first_place}; these are not channels of one test: take "
+            "the wrong one out"
+        )
     shared = TimeBase(begin, step, count)
     times = shared.times()
     return shared, {name: np.interp(times, axis.times(), values) for name, (axis, values) in parts.items()}
@@ -109,13 +112,14 @@ def base_of_times(times: NDArray[np.float64], place: str, first_line: int) -> Ti
         When the times do not rise in equal steps, with the line of the first that does not.
     """
     if times.size < 2:
-        raise DataError(f"{place}:{first_line}: a single sample; a test has many")
+        raise DataError(f"{place}:{first_line}: a single sample; a test has many: export it again")
     interval = float(times[-1] - times[0]) / (times.size - 1)
     steps = np.diff(times)
     if interval <= 0 or (steps <= 0).any():
         line = first_line + 1 + int(np.argmax(steps <= 0))
         raise DataError(
-            f"{place}:{line}: time does not rise; is the right column mapped, and is it one test?"
+            f"{place}:{line}: time does not rise; is the right column mapped, and is it one test? "
+            "Correct the mapping or the file"
         )
     expected = times[0] + interval * np.arange(times.size)
     off = np.abs(times - expected) > max(_UNIFORM * interval, 1e-9)

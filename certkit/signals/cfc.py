@@ -80,7 +80,8 @@ def cfc(values: NDArray[np.float64], interval: float, frequency_class: float) ->
     count = values.shape[-1]
     if count < 2:
         raise UnusableError(
-            f"{count} sample(s) cannot be filtered", Reason.of("too-short-to-filter", count=count)
+            f"{count} sample(s) cannot be filtered; record more",
+            Reason.of("too-short-to-filter", count=count),
         )
     if not np.isfinite(values).all():
         raise UnusableError(

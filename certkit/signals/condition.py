@@ -92,13 +92,21 @@ def uniform(recording: Recording, situation: Situation) -> Recording:
     """Refuse a time axis that does not go forward in equal steps; static tests have load levels instead."""
     time = recording.time
     if any(c.values.shape != time.shape for c in recording.channels.values()):
-        raise DataError(f"{recording.source or 'recording'}: channels and time axis have different lengths")
+        raise DataError(
+            f"{recording.source or 'recording'}: channels and time axis have different lengths; "
+            "export the test again"
+        )
     if not situation.dynamic:
         return recording
     if time.size < 2:
-        raise DataError(f"{recording.source or 'recording'}: {time.size} sample(s) are no test")
+        raise DataError(
+            f"{recording.source or 'recording'}: {time.size} sample(s) are no test; export it again"
+        )
     if not np.isfinite(time).all():
-        raise DataError(f"{recording.source or 'recording'}: the time axis has values that are not numbers")
+        raise DataError(
+            f"{recording.source or 'recording'}: the time axis has values that are not numbers; "
+            "export the test again"
+        )
     interval = float(time[-1] - time[0]) / (time.size - 1)
     axis = time[0] + interval * np.arange(time.size)
     if interval <= 0 or float(np.abs(time - axis).max()) > UNIFORM * interval:

@@ -91,7 +91,7 @@ def needs_filter(channel: Channel, words: str) -> bool:
     if words == "none":
         return False
     if words not in CLASSES:
-        raise DataError(f"unknown filter `{words}`; there are none, {', '.join(CLASSES)}")
+        raise DataError(f"unknown filter `{words}`; write none, {', '.join(CLASSES)}")
     seen = CLASSES.get(channel.filtered)
     if seen is not None and seen < CLASSES[words]:
         raise UnusableError(

@@ -75,16 +75,19 @@ def rate(reference: NDArray[np.float64], signal: NDArray[np.float64]) -> Rating:
         )
     if reference.size < FEWEST_SAMPLES:
         raise UnusableError(
-            f"{reference.size} samples are too few to be rated: {FEWEST_SAMPLES} at 10 kHz are needed",
+            f"{reference.size} samples are too few to be rated: {FEWEST_SAMPLES} at 10 kHz are "
+            "needed: record longer",
             Reason.of("rated-too-short", count=reference.size, needed=FEWEST_SAMPLES),
         )
     if not (np.isfinite(reference).all() and np.isfinite(signal).all()):
         raise UnusableError(
-            "a curve with values that are not numbers cannot be rated", Reason.of("rated-not-finite")
+            "a curve with values that are not numbers cannot be rated; leave it out",
+            Reason.of("rated-not-finite"),
         )
     if np.ptp(reference) == 0:
         raise UnusableError(
-            "the reference is constant; there is nothing to rate against", Reason.of("rated-constant")
+            "the reference is constant; there is nothing to rate against: choose another",
+            Reason.of("rated-constant"),
         )
     shift = _best_shift(reference, signal)
     a, b = _overlap(reference, signal, shift)

@@ -49,4 +49,15 @@ def security() -> None:
     typer.echo(f"wrote {write_security(typer.echo)}")
 
 
+@app.command("reliability")
+def reliability(seed: int | None = None, every: int = 4) -> None:
+    """Try damaged inputs and write docs/reliability.md; takes some minutes, `--every 1` half an hour."""
+    from certkit.files import write_whole  # noqa: PLC0415  # as above
+    from docs.make.reference import DOCS  # noqa: PLC0415  # as above
+    from docs.make.reliability import reliability as make  # noqa: PLC0415  # as above
+
+    write_whole(DOCS / "reliability.md", make(seed, every, typer.echo))
+    typer.echo(f"wrote {DOCS / 'reliability.md'}")
+
+
 app()

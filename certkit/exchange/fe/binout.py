@@ -55,7 +55,9 @@ def read_binout(path: Path, units: Units, rigid_bodies: Mapping[str, RigidBodyRo
     rest = sorted(path.parent.glob(f"{escape(path.name)}%[0-9]*")) if path.suffix != ".gz" else []
     digests = {source: digest, **{str(part): read_bytes(part)[1] for part in rest}}
     if len(content) < _LSDA_HEADER or content[0] != _LSDA_HEADER:
-        raise DataError(f"{source}: this is no LSDA container; a binout starts with its header length 8")
+        raise DataError(
+            f"{source}: this is no LSDA container; a binout starts with its header length 8: name the binout"
+        )
     with tempfile.TemporaryDirectory(prefix="certkit-") as folder:
         return _read(_open(path, content, rest, Path(folder), source), source, units, rigid_bodies, digests)
 
@@ -116,8 +118,11 @@ def _open(path: Path, content: bytes, rest: list[Path], folder: Path, source: st
     """Open exactly these files: lasso takes brackets in a path for a pattern, and reads no `.gz`."""
     try:
         from lasso.dyna import Binout  # noqa: PLC0415  # optional, heavy
+        from lasso.dyna.lsda_py3 import Lsda  # noqa: PLC0415  # likewise
     except ImportError:
         raise DataError(f"{source}: {INSTALL}") from None
+    if not hasattr(Lsda, "fw"):
+        Lsda.fw = None  # its destructor asks for it, also where opening failed, and prints a traceback else
     try:
         if path.suffix != ".gz" and str(path) == escape(str(path)):
             return Binout(str(path))
@@ -126,7 +131,9 @@ def _open(path: Path, content: bytes, rest: list[Path], folder: Path, source: st
         (folder / path.name).write_bytes(content)
         return Binout(str(folder / path.name))
     except Exception as error:  # noqa: BLE001  # whatever lasso raises, the file is what is wrong
-        raise DataError(f"{source}: lasso-python cannot read it ({error}); was it cut?") from None
+        raise DataError(
+            f"{source}: lasso-python cannot read it ({error}); was it cut? Copy it again"
+        ) from None
 
 
 class _Binout:
@@ -140,11 +147,16 @@ class _Binout:
 
     def array(self, table: str, name: str) -> Values:
         if not self.has(table, name):
-            raise DataError(f"{self._source}: {table} has no `{name}`; is the file whole?")
+            raise DataError(
+                f"{self._source}: {table} has no `{name}`; is the file whole? Copy it again, or "
+                "request it from the solver"
+            )
         try:
             values = np.asarray(self._reader.read(table, name), dtype=np.float64)
         except Exception as error:  # noqa: BLE001  # see _open
-            raise DataError(f"{self._source}: {table}/{name} cannot be read ({error})") from None
+            raise DataError(
+                f"{self._source}: {table}/{name} cannot be read ({error}); copy the file again"
+            ) from None
         require_finite(values.ravel(), f"{table}/{name}", self._source)
         return values
 
@@ -153,7 +165,9 @@ class _Binout:
         values = self.array(table, name)
         values = values[:, None] if values.ndim == 1 else values
         if values.shape[0] != self.array(table, "time").shape[0]:
-            raise DataError(f"{self._source}: {table}/{name} has not one row an instant; the file was cut")
+            raise DataError(
+                f"{self._source}: {table}/{name} has not one row an instant; the file was cut: copy it again"
+            )
         return values
 
     def legend(self, table: str, count: int) -> list[str]:
@@ -168,7 +182,9 @@ class _Binout:
                     for k, i in enumerate(titled):
                         names[int(i)] = text[width * k : width * (k + 1)].strip() or str(int(i))
         if len(ids) != count:
-            raise DataError(f"{self._source}: {table} announces {len(ids)} objects and holds {count}")
+            raise DataError(
+                f"{self._source}: {table} announces {len(ids)} objects and holds {count}; copy the file again"
+            )
         known = distinct(names.items())
         return [known[int(i)] for i in ids]
 

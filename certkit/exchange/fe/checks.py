@@ -43,7 +43,7 @@ def read_bytes(path: Path) -> tuple[bytes, str]:
     except FileNotFoundError:
         raise DataError(f"{path}: there is no such file; check the case's `files`") from None
     except OSError as error:
-        raise DataError(f"{path}: cannot be read ({error.strerror})") from None
+        raise DataError(f"{path}: cannot be read ({error.strerror}); check its permissions") from None
     digest = hashlib.sha256(raw).hexdigest()
     content = _unpacked(raw, path) if path.suffix == ".gz" else raw
     if not content:
@@ -67,10 +67,13 @@ def _unpacked(raw: bytes, path: Path) -> bytes:
 def require_time_axis(time: NDArray[np.float64], source: str) -> None:
     """Refuse a time axis that is too short, not finite or not strictly increasing."""
     if time.size < FEWEST_ROWS:
-        raise DataError(f"{source}: only {time.size} rows; an impact needs at least {FEWEST_ROWS}")
+        raise DataError(
+            f"{source}: only {time.size} rows; an impact needs at least {FEWEST_ROWS}: write "
+            "histories more often"
+        )
     if not np.all(np.isfinite(time)):
         row = int(np.flatnonzero(~np.isfinite(time))[0]) + 1
-        raise DataError(f"{source}: the time of row {row} is not a finite number")
+        raise DataError(f"{source}: the time of row {row} is not a finite number; write the file again")
     steps = np.diff(time)
     if np.any(steps <= 0):
         row = int(np.flatnonzero(steps <= 0)[0]) + 2
@@ -84,4 +87,7 @@ def require_finite(values: NDArray[np.float64], name: str, source: str) -> None:
     """Refuse values that are not finite: a missing number never passes."""
     bad = np.flatnonzero(~np.isfinite(values))
     if bad.size:
-        raise DataError(f"{source}: `{name}` is not a finite number in row {int(bad[0]) + 1}")
+        raise DataError(
+            f"{source}: `{name}` is not a finite number in row {int(bad[0]) + 1}; write the file "
+            "again, or leave it out"
+        )

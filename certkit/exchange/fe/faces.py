@@ -54,11 +54,11 @@ def read_faces(table: Path, outlines: Path | None) -> tuple[dict[str, Face], dic
     faces = {}
     for number, row in enumerate(rows, start=2):
         name = row.get("group", "")
-        place = f"{table}: line {number}"
+        place = f"{table}:{number}"
         if not name:
-            raise DataError(f"{place}: the column `group` is missing or empty")
+            raise DataError(f"{place}: the column `group` is missing or empty; name each group there")
         if name in faces:
-            raise DataError(f"{place}: the group `{name}` stands there twice")
+            raise DataError(f"{place}: the group `{name}` stands there twice; name each once")
         mass = _number(row, "mass_kg", place)
         if mass is None or mass <= 0:
             raise DataError(f"{place}: `{name}` needs a mass above zero in `mass_kg`")
@@ -67,7 +67,10 @@ def read_faces(table: Path, outlines: Path | None) -> tuple[dict[str, Face], dic
             faces[name] = Face(mass)
             continue
         if high <= low:
-            raise DataError(f"{place}: `{name}` ends at {high:g} mm, below where it begins ({low:g} mm)")
+            raise DataError(
+                f"{place}: `{name}` ends at {high:g} mm, below where it begins ({low:g} mm); correct "
+                "`z_low_mm` or `z_high_mm`"
+            )
         position, slope = _line(low, high, lines, row, place)
         faces[name] = Face(mass, low * 1e-3, high * 1e-3, position * 1e-3, slope)
     return faces, digests
@@ -80,12 +83,12 @@ def _outlines(path: Path) -> tuple[list[NDArray[np.float64]], str]:
         found = {k: v for k, v in data.items() if k.endswith("_poly_x_z")}
         lines = [np.array(found[k], dtype=np.float64) for k in sorted(found)]
     except (ValueError, AttributeError, RecursionError) as error:
-        raise DataError(f"{path}: no JSON object with outlines ({error})") from None
+        raise DataError(f"{path}: no JSON object with outlines ({error}); write it again") from None
     for name, line in zip(sorted(found), lines, strict=True):
         if line.ndim != 2 or line.shape[1] != 2 or len(line) < 2 or np.any(np.diff(line[:, 1]) <= 0):
-            raise DataError(f"{path}: `{name}` must be points [x, z] with rising z")
+            raise DataError(f"{path}: `{name}` must be points [x, z] with rising z; sort them")
         if not np.all(np.isfinite(line)):
-            raise DataError(f"{path}: `{name}` holds a number that is not finite")
+            raise DataError(f"{path}: `{name}` holds a number that is not finite; correct it")
     return lines, digest
 
 
@@ -102,7 +105,8 @@ def _line(
         x = [_number(row, name, place) for name in ("x_front_min_mm", "x_front_max_mm")]
         if x[0] is None or x[1] is None:
             raise DataError(
-                f"{place}: neither an outline nor `x_front_min_mm`/`x_front_max_mm` tell its face"
+                f"{place}: neither an outline nor `x_front_min_mm`/`x_front_max_mm` tell its face; "
+                "give one of them"
             )
         return 0.5 * (x[0] + x[1]), 0.0
     z = np.linspace(max(low, best[0, 1]), min(high, best[-1, 1]), 41)
@@ -117,7 +121,7 @@ def _number(row: Mapping[str, str], column: str, place: str) -> float | None:
     try:
         value = float(text)
     except ValueError:
-        raise DataError(f"{place}, column `{column}`: `{text}` is not a number") from None
+        raise DataError(f"{place}: column `{column}`: `{text}` is not a number; correct it") from None
     if not np.isfinite(value):
-        raise DataError(f"{place}, column `{column}`: `{text}` is not a finite number")
+        raise DataError(f"{place}: column `{column}`: `{text}` is not a finite number; correct it")
     return value

@@ -78,10 +78,13 @@ def _rows(content: bytes, source: str) -> tuple[list[str], list[list[str]]]:
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise DataError(f"{source}: not a text file (byte {error.start}); is it the native file?") from None
+        raise DataError(
+            f"{source}: not a text file (byte {error.start}); is it the native file? Name its format "
+            "in the case"
+        ) from None
     lines = [row for row in csv.reader(io.StringIO(text)) if any(cell.strip() for cell in row)]
     if len(lines) < 2:
-        raise DataError(f"{source}: no rows of numbers below the head")
+        raise DataError(f"{source}: no rows of numbers below the head; write the file again")
     head, *rows = lines
     trailing = not head[-1].strip()
     if trailing:
@@ -92,7 +95,7 @@ def _rows(content: bytes, source: str) -> tuple[list[str], list[list[str]]]:
             row.pop()
         if len(row) != len(head):
             raise DataError(
-                f"{source}: line {number} has {len(row)} cells, the head has {len(head)}; "
+                f"{source}:{number}: {len(row)} cells, the head has {len(head)}; "
                 "the file was cut or edited: write it again"
             )
     return head, rows
@@ -117,6 +120,6 @@ def _numbers(rows: list[list[str]], names: list[str], source: str) -> NDArray[np
                 except ValueError:
                     found = f"`{cell.strip()}`" if cell.strip() else "an empty cell"
                     raise DataError(
-                        f"{source}: line {number}, column `{name}`: {found} is not a number"
+                        f"{source}:{number}: column `{name}`: {found} is not a number; write the file again"
                     ) from None
         raise

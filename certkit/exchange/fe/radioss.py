@@ -146,7 +146,10 @@ def _rigid(name: str, body: RigidBodyRows, channels: Channels, units: Units) -> 
     velocity = _variable(node, "VX", body.node, channels.source) * (units.length / units.time)
     displacement = _variable(node, "DX", body.node, channels.source) * units.length
     if not np.any(velocity):
-        raise DataError(f"{channels.source}: node `{body.node}` of rigid body `{name}` never moves")
+        raise DataError(
+            f"{channels.source}: node `{body.node}` of rigid body `{name}` never moves; name its main "
+            "node in the case"
+        )
     return PartHistory(body.mass, body.mass * velocity, displacement, displacement)
 
 

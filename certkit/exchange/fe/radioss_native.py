@@ -88,7 +88,10 @@ class _Records:
         (length,) = struct.unpack_from(">i", content, at)
         end = at + 4 + length
         if length < 0:
-            raise DataError(f"{self._source}: byte {at} is no record of a native OpenRadioss time history")
+            raise DataError(
+                f"{self._source}: byte {at} is no record of a native OpenRadioss time history; copy "
+                "it as binary, or name its format"
+            )
         if end + 4 > len(content):
             raise self._cut()
         if struct.unpack_from(">i", content, end)[0] != length:
@@ -103,7 +106,9 @@ class _Records:
     def integers(self) -> tuple[int, ...]:
         record = self.next()
         if len(record) % 4:
-            raise DataError(f"{self._source}: a directory record before byte {self._at} is damaged")
+            raise DataError(
+                f"{self._source}: a directory record before byte {self._at} is damaged; copy it again"
+            )
         return struct.unpack(f">{len(record) // 4}i", record)
 
     def _cut(self) -> DataError:
@@ -126,7 +131,9 @@ def read_native(path: Path) -> Channels:
     try:
         directory = _directory(records, source)
     except struct.error:
-        raise DataError(f"{source}: a record of the directory is too short; the file is damaged") from None
+        raise DataError(
+            f"{source}: a record of the directory is too short; the file is damaged; copy it again"
+        ) from None
     time, data = _instants(records, directory, source)
     require_time_axis(time, source)
     columns = iter(data.T)
@@ -173,7 +180,10 @@ def _directory(records: _Records, source: str) -> _Directory:
     records.next()  # date and solver
     counts = records.integers()
     if len(counts) != 6 or any(not 0 <= n <= _MOST_OBJECTS for n in counts):
-        raise DataError(f"{source}: the directory's counts {counts[:6]} make no sense; the file is damaged")
+        raise DataError(
+            f"{source}: the directory's counts {counts[:6]} make no sense; the file is damaged: copy "
+            "it again; copy it again"
+        )
     n_parts, n_materials, n_properties, n_subsets, n_groups, n_globals = counts
     globals_ = records.integers() if n_globals else ()
     titles, parts = [], []
@@ -239,7 +249,9 @@ def _instants(
                 )
         rows.append(b"".join(blocks))
     if not rows:
-        raise DataError(f"{source}: the file has a directory but no instants; the run wrote no history")
+        raise DataError(
+            f"{source}: the file has a directory but no instants; the run wrote no history: run it again"
+        )
     data = np.frombuffer(b"".join(rows), ">f4").reshape(len(rows), -1).astype(np.float64)
     return data[:, 0], data[:, 1:]
 
@@ -251,12 +263,13 @@ def _titled(description: bytes) -> tuple[int, str]:
 
 def _integer_at(record: bytes, at: int, source: str) -> int:
     if len(record) < 44:
-        raise DataError(f"{source}: a part's description is too short; the file is damaged")
+        raise DataError(f"{source}: a part's description is too short; the file is damaged; copy it again")
     return int(struct.unpack_from(">i", record, len(record) + at)[0])
 
 
 def _agree(found: int, announced: int, what: str, source: str) -> None:
     if found != announced:
         raise DataError(
-            f"{source}: {what} announces {announced} variables and lists {found}; the file is damaged"
+            f"{source}: {what} announces {announced} variables and lists {found}; the file is "
+            "damaged: copy it again"
         )

@@ -160,7 +160,7 @@ def _time_axis(table: NumericTable, name: str) -> Values:
         match_one(name, table.columns, "column", table.source)
     suffix = name.rsplit("_", 1)[-1]
     if SUFFIXES.get(suffix, ("",))[0] != "time":
-        raise DataError(f"{table.source}: the time column `{name}` must end in _ms or _s")
+        raise DataError(f"{table.source}: the time column `{name}` must end in _ms or _s; rename it")
     time: Values = table.columns[name] * SUFFIXES[suffix][1]
     require_time_axis(time, table.source)
     return time

@@ -58,10 +58,10 @@ def _cell(index: int, value: str) -> Callable[[list[str]], str]:
 
 
 TIDY: dict[str, Damage] = {
-    "a word where a number belongs": (_line("histories.csv", 40, _cell(3, "abc")), r"line 40, column `P_foam_Ns`: `abc`"),
-    "an empty cell": (_line("histories.csv", 7, _cell(1, "")), "line 7, column `P_impactor_Ns`: an empty cell"),
+    "a word where a number belongs": (_line("histories.csv", 40, _cell(3, "abc")), r"\.csv:40: column `P_foam_Ns`: `abc`"),
+    "an empty cell": (_line("histories.csv", 7, _cell(1, "")), r"\.csv:7: column `P_impactor_Ns`: an empty cell"),
     "a number that is not finite": (_line("histories.csv", 9, _cell(2, "nan")), "`P_fascia_Ns` is not a finite number in row 8"),
-    "a row cut short": (_line("histories.csv", 90, lambda c: ",".join(c[:5])), "line 90 has 5 cells"),
+    "a row cut short": (_line("histories.csv", 90, lambda c: ",".join(c[:5])), r"\.csv:90: 5 cells"),
     "a column twice": (_text("histories.csv", "P_foam_Ns", "P_fascia_Ns"), "`P_fascia_Ns` stands there twice"),
     "time going back": (_line("histories.csv", 60, _cell(0, "0.5")), "time does not increase at row 59"),
     "a missing column": (_text("histories.csv", "P_fascia_Ns", "P_skin_Ns"), "no column `P_fascia_Ns`"),
