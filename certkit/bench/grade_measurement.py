@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.bench.laboratory_terms import merged_conditions, read_laboratory
+from certkit.bench.laboratory_terms import header_contradictions, merged_conditions, read_laboratory
 from certkit.bench.setup import prepare, without_model
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.validation import read_bytes, validate
@@ -75,11 +75,15 @@ def grade(
     )
     recording = replace(read.recording, conditions=conditions)
     header = [f"{words}: {value}" for words, value in read.header.items()]
+    odd = header_contradictions(read.header, lab, str(laboratory))
+    made_by = read.header.get("procedure", setup.procedure.procedure)
+    if made_by != setup.procedure.procedure:
+        odd.append(Reason.of("recorded-by-other-procedure", made=made_by, graded=setup.procedure.procedure))
     result = evaluate(
         measure_all(setup.procedure, recording, lenient=lenient),
         setup.terms(*files, *mapping_input, *lab.inputs),
         laboratory=lab,
-        notes=[Reason.words(text) for text in (*setup.remarks, *header)],
+        notes=[*odd, *(Reason.words(text) for text in (*setup.remarks, *header))],
     )
     return worded(result)
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import re
+from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -125,6 +127,58 @@ def merged_conditions(
     """
     own = {word: Told(value, f"{file}, condition {word}") for word, value in laboratory.items()}
     return {word: item.value for word, item in together(told, own).items()}
+
+
+def header_contradictions(header: Mapping[str, str], terms: LaboratoryTerms, file: str) -> list[Reason]:
+    """Hold the header of the data against the laboratory's file.
+
+    Returns
+    -------
+    list of Reason
+        What the two say differently of the laboratory and of the tested object.
+
+    Raises
+    ------
+    DataError
+        When they name different days of the test.
+    """
+    if terms.header is None:
+        return []
+    told = header.get("Date of the test", "")
+    day = _day(told)
+    performed = (terms.header.get("test") or {}).get("performed")
+    if day is not None and performed is not None and day != performed:
+        raise DataError(
+            f"{file}, test.performed: {performed}, but the header of the data says {told[:40]} "
+            "(Date of the test); correct one of them"
+        )
+    item = terms.header.get("item") or {}
+    said = []
+    for words, own in (
+        ("Laboratory name", terms.header.get("laboratory")),
+        ("Ref. number of test object 1", item.get("serial")),
+    ):
+        if own and words in header and not _alike(str(own), header[words]):
+            said.append(
+                Reason.of("header-says-other", words=words, data=header[words][:60], laboratory=str(own))
+            )
+    return said
+
+
+def _day(text: str) -> str | None:
+    """Return a day as ISO 8601 has it, from `2026-03-02` or `02.03.2026`; None where it is no day."""
+    for form in ("%Y-%m-%d", "%d.%m.%Y"):
+        try:
+            return datetime.strptime(text.strip()[:10], form).date().isoformat()  # noqa: DTZ007  # a day, no instant
+        except ValueError:
+            continue
+    return None
+
+
+def _alike(one: str, other: str) -> bool:
+    """Tell whether two names are one but for capitals, blanks and hyphens."""
+    first, second = (re.sub(r"[\s_-]+", "", text).casefold() for text in (one, other))
+    return first in second or second in first
 
 
 def embedded_logo(name: str, folder: Path) -> str:

@@ -32,7 +32,7 @@ from certkit.documents.channel_curves import recording_of
 from certkit.documents.rounding import SIGNIFICANT_DIGITS
 from certkit.errors import DataError
 from certkit.exchange.codes import CodeTable, code_table
-from certkit.exchange.conditions import Told, read_condition
+from certkit.exchange.conditions import Told, known_word, read_condition, together
 from certkit.files import write_whole
 from certkit.reasons import Reason
 from certkit.signals.recording import Kind
@@ -191,13 +191,15 @@ def _conditions(recording: Recording) -> Iterator[tuple[str, str]]:
 
 def told_conditions(table: CsvTable, codes: CodeTable) -> dict[str, Told]:
     """Return the conditions that `#` lines tell."""
-    found = {}
-    for word, (text, line) in table.remarks.items():
+    found: dict[str, Told] = {}
+    for written, (text, line) in table.remarks.items():
+        word = known_word(written, codes)
         if word in codes.conditions:
             try:
-                found[word] = Told(read_condition(word, text, codes), f"{table.place}:{line}")
+                told = Told(read_condition(word, text, codes), f"{table.place}:{line}")
             except ValueError as error:
                 raise DataError(f"{table.place}:{line}: {word}: {error}; correct the line") from error
+            found = together(found, {word: told})
     return found
 
 

@@ -23,7 +23,13 @@ _NEAR = 1e-3
 _NEAR_KELVIN = 0.051
 """Likewise for temperatures, K: they are written with one digit after the point."""
 
-_COMMENT = re.compile(r"([A-Za-z][A-Za-z ]{1,60}?)\s*=\s*(.+)")
+_COMMENT = re.compile(r"([A-Za-z][A-Za-z ]{1,60}?)\s*[=:]\s*(.+)")
+
+_OTHER_WORDS = {
+    f"{word} temperature": "temperature"
+    for word in ("ambient", "room", "test", "air", "laboratory", "reference")
+} | {"relative humidity": "humidity", "air humidity": "humidity", "relative air humidity": "humidity"}
+"""Other words for conditions, in comments and descriptors."""
 
 
 @dataclass(frozen=True)
@@ -98,7 +104,7 @@ def mme_conditions(header: Header, table: CodeTable, leniency: Leniency) -> dict
         match = _COMMENT.fullmatch(line.value)
         if match is None:
             continue
-        word = _known(match.group(1), table)
+        word = known_word(match.group(1), table)
         try:
             value = read_condition(word, match.group(2), table)
         except ValueError as error:
@@ -127,7 +133,8 @@ def mapped_conditions(mapping: Mapping | None, table: CodeTable) -> dict[str, To
     return found
 
 
-def _known(word: str, table: CodeTable) -> str:
+def known_word(word: str, table: CodeTable) -> str:
     """Return the condition that a word means, whatever its capitals and blanks."""
     plain = " ".join(word.split()).casefold()
+    plain = _OTHER_WORDS.get(plain, plain)
     return plain if plain in table.conditions else word

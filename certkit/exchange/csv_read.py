@@ -98,7 +98,12 @@ def read_csv(
         table=known,
     )
     source = SourceFile(path.name, hashlib.sha256(data).hexdigest())
-    return MeasuredData(recording, (source,), tuple(leniency.assumptions), told=told)
+    return MeasuredData(recording, (source,), tuple(leniency.assumptions), _shown(table), told)
+
+
+def _shown(table: CsvTable) -> dict[str, str]:
+    """Return what the table says of the test that it is of."""
+    return {word: table.remarks[word][0] for word in ("procedure",) if word in table.remarks}
 
 
 def _mapped_head(table: CsvTable, layout: CsvLayout, codes: CodeTable) -> CsvHead:

@@ -136,7 +136,7 @@ def cut(text: str, place: str, layout: CsvLayout | None) -> CsvTable:
             delimiter,
             decimal,
         ),
-        remarks=_remarks(lines[: max(head, 0)], delimiter),
+        remarks=_remarks(lines[: max(head, 0)], delimiter, place),
         units=units,
     )
 
@@ -186,10 +186,23 @@ def _first_plain(lines: list[str]) -> int:
     return next((index for index, line in enumerate(lines) if not line.startswith(("#", '"#'))), len(lines))
 
 
-def _remarks(lines: list[str], delimiter: str) -> dict[str, tuple[str, int]]:
-    """Return the `# word: value` lines; a spreadsheet quotes them and fills them up with delimiters."""
-    found = {}
+def _remarks(lines: list[str], delimiter: str, place: str) -> dict[str, tuple[str, int]]:
+    """Return the `# word: value` lines; a spreadsheet quotes them and fills them up with delimiters.
+
+    Raises
+    ------
+    DataError
+        When a word stands there twice with different values.
+    """
+    found: dict[str, tuple[str, int]] = {}
     for number, line in enumerate(lines, 1):
         if match := _REMARK.fullmatch(line.rstrip(f" {delimiter}").strip().strip('"')):
-            found[match.group(1)] = (match.group(2), number)
+            word, text = match.groups()
+            before, at = found.setdefault(word, (text, number))
+            if before != text:
+                raise DataError(
+                    f"{place}:{number}: `{word[:40]}` is `{text[:60]}` here and `{before[:60]}` in "
+                    f"line {at}; "
+                    "keep the right one"
+                )
     return found

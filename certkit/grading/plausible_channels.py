@@ -19,6 +19,7 @@ from certkit.signals.plausibility_motion import (
     blow,
     frozen_from,
     is_dead,
+    moves_early,
     moves_wrong_way,
     off_by_powers,
     off_the_line,
@@ -198,6 +199,14 @@ def _dead(leg: _Leg) -> Iterator[tuple[str, Reason]]:
             yield name, Reason.of("channel-dead", swing=swing, unit=channel.dimension.unit)
 
 
+def _early(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+    """Yield channels that move before contact though the others are at rest: shifted in time, or drifting."""
+    rest = int(np.searchsorted(leg.filtered.recording.time, -MARGIN))
+    before = {name: values[:rest] for name, values in leg.smooth.items() if leg.blow_beside(name)}
+    for name, share in moves_early(before, leg.peaks).items():
+        yield name, Reason.of("moves-before-contact", share=100.0 * share)
+
+
 def _frozen(leg: _Leg) -> Iterator[tuple[str, Reason]]:
     """Yield channels that stand still for a while in which the others move."""
     interval = leg.filtered.recording.interval
@@ -271,6 +280,7 @@ CHECKS: tuple[Callable[[_Leg], Iterator[tuple[str, Reason]]], ...] = (
     _frozen,
     _turned,
     _units,
+    _early,
 )
 """In the order in which a channel's first fault is told."""
 

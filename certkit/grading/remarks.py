@@ -72,7 +72,15 @@ def remarks(
 
 
 ASSUMED = frozenset(
-    {"assumed", "left-out", "clipped-kept", "sign-turned", "questionable-data", "kind-not-said"}
+    {
+        "assumed",
+        "left-out",
+        "clipped-kept",
+        "sign-turned",
+        "questionable-data",
+        "kind-not-said",
+        "status-not-good",
+    }
 )
 """Codes of notes on a recording that stand for something that the data themselves do not show."""
 

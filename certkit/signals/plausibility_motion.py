@@ -41,6 +41,10 @@ WRONG_WAY = 1.5
 FACTOR = 10**0.6
 """Factor against its neighbours from which on a unit is out by a power of ten; the shipped runs, the seed
 paper's Table 1 and the corridors stay within a factor of two."""
+EARLY = 0.15
+"""Share of its largest size that a channel swings before contact to have moved; an estimate."""
+EARLY_REST = 0.05
+"""Share below which the middle one of the others is at rest meanwhile; an estimate."""
 PATTERN = 0.35
 """Share of the largest moment by which a gauge may lie off the straight line between its neighbours, root
 mean square over root mean square; the shipped fronts, one of which hits right at a gauge, have up to 0.20."""
@@ -59,6 +63,34 @@ def is_dead(after: NDArray[np.float64], before: NDArray[np.float64], amplitude_c
     if swing < DEAD * amplitude_class:
         return True
     return bool(before.size) and swing <= REST * float(np.ptp(before))
+
+
+def moves_early(before: Mapping[str, NDArray[np.float64]], peaks: Mapping[str, float]) -> dict[str, float]:
+    """Return channels that move before contact while the middle one of the others is at rest.
+
+    Parameters
+    ----------
+    before : mapping of str to ndarray, shape (n,)
+        Filtered, until shortly before contact.
+    peaks : mapping of str to float
+        Largest sizes after contact.
+
+    Returns
+    -------
+    dict of str to float
+        The swing before contact as a share of the largest size.
+    """
+    shares = {
+        name: float(np.ptp(values)) / peaks[name]
+        for name, values in before.items()
+        if values.size > 1 and peaks[name] > 0
+    }
+    found = {}
+    for name, own in shares.items():
+        others = [share for other, share in shares.items() if other != name]
+        if len(others) > 1 and own > EARLY and float(np.median(others)) < EARLY_REST:
+            found[name] = own
+    return found
 
 
 def blow(others: Mapping[str, float]) -> bool:

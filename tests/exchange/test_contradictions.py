@@ -157,3 +157,16 @@ def test_one_simulated_channel_among_measured_ones_is_an_error(mme: Path):
         DataError, match=r"leg\.001: `Data source` is `simulation`, but .*leg\.002 was measured"
     ):
         read_recording(mme)
+
+
+def test_other_words_for_the_temperature_are_understood_in_comments(mme: Path):
+    append(mme / "leg.mme", "Comments                     :Room temperature: 35 degC")
+    with pytest.raises(DataError, match="temperature is 308"):
+        read_recording(mme)
+
+
+def test_a_line_above_the_heads_that_stands_twice_must_say_one_thing(table: Path):
+    text = table.read_text(encoding="utf-8")
+    table.write_text(f"# temperature: 308 K\n{text}", encoding="utf-8")
+    with pytest.raises(DataError, match=r"leg\.csv:\d+: `temperature` is .* and `308 K` in line 1"):
+        read_recording(table)

@@ -1,7 +1,8 @@
 """Channels of an OpenRadioss run held against each other: columns that were shifted cannot agree.
 
 A converter that shifts columns, or writes impulses where forces should be, leaves a table that looks
-whole. Mechanics tells it: no mass is negative, a part's kinetic energy is at least p²/(2m), and a node's
+whole. Mechanics tells it: no mass is negative, a part's momentum is its mass times the velocity
+of its centre, its kinetic energy is at least p²/(2m), and a node's
 displacement is the integral of its velocity.
 """
 
@@ -18,6 +19,9 @@ if TYPE_CHECKING:
 
 _ENERGY = 0.01
 """Part of the largest energy that rounding of 32-bit values may take away."""
+
+_MOMENTUM = 1e-3
+"""Part of a part's largest momentum by which mass times velocity may be off."""
 
 _MOTION = 0.05
 """Parts of a node's own and of the largest displacement that its integrated velocity may be off."""
@@ -44,7 +48,21 @@ def require_consistent(channels: Channels) -> None:
         if np.any(mass < 0):
             row = int(np.argmax(mass < 0)) + 1
             raise DataError(f"{source}: the mass of `{name}` is negative in row {row}; {_REMEDY}")
-        if momentum is None or energy is None or not np.all(mass > 0):
+        if momentum is None:
+            continue
+        velocity = variables.get("VX")
+        weightless = (mass == 0) & (momentum != 0)
+        # A rigid body's row is zero but for its velocity.
+        apart = np.zeros_like(weightless)
+        if velocity is not None and np.any(momentum):
+            apart = np.abs(momentum - mass * velocity) > _MOMENTUM * float(np.abs(momentum).max())
+        if np.any(weightless | apart):
+            row = int(np.argmax(weightless | apart)) + 1
+            raise DataError(
+                f"{source}: momentum, mass and velocity of `{name}` contradict each other in row "
+                f"{row}; {_REMEDY}"
+            )
+        if energy is None or not np.all(mass > 0):
             continue
         least = momentum**2 / (2.0 * mass)
         short = least > energy + _ENERGY * max(float(energy.max()), float(least.max()))

@@ -90,6 +90,18 @@ def test_columns_that_the_converter_shifted_by_six_are_refused(tmp_path: Path, b
         converted(edited(tmp_path, shift(begin, 6)))
 
 
+@pytest.mark.parametrize("factor", [0.0, 10.0])
+def test_a_mass_that_its_momentum_denies_is_refused(tmp_path: Path, factor: float):
+    def scaled(rows: list[list[str]]) -> None:
+        at = column(rows, "fascia MASS")
+        for row in rows[1:]:
+            if len(row) > at:
+                row[at] = f"{factor * float(row[at]):.9g}"
+
+    with pytest.raises(DataError, match="momentum, mass and velocity of `fascia`"):
+        converted(edited(tmp_path, scaled))
+
+
 def test_impulses_where_forces_should_be_are_refused(tmp_path: Path):
     def summed(rows: list[list[str]]) -> None:
         at = column(rows, "fascia-foam FNX")
