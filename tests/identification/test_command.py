@@ -52,7 +52,12 @@ def test_histories_may_lie_elsewhere(case: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("file", "old", "new", "message"),
     [
-        ("histories.csv", "66.6,0,0,0,66.6", "66.6,zero,0,0,66.6", "histories.csv:2: column `P_fascia_Ns`: `zero`"),
+        (
+            "histories.csv",
+            "66.6,0,0,0,66.6",
+            "66.6,zero,0,0,66.6",
+            "histories.csv:2: column `P_fascia_Ns`: `zero`",
+        ),
         ("case-tidy.yaml", "parts: [back_beam]", "parts: [front_beam]", "no part `front_beam`"),
         ("case-tidy.yaml", "paths:", "pathes:", "case-tidy.yaml:"),
     ],
