@@ -7,6 +7,7 @@ CertkitError                     3   base class, never raised itself
 │   ├── DataError                2   a measured or FE data file: what, where, what to do
 │   └── UsageError               2   a command line that cannot be carried out
 └── RunError                     3   a simulation that cannot be trusted or did not finish
+    └── MissingPartError         3   a library or font that a report needs is not installed
 ```
 
 Exit codes follow the contract: 0 pass, 1 fail or conditional, 2 bad definition or usage, 3 run or
@@ -77,7 +78,15 @@ class OldFormWarning(FutureWarning):
     """An old form of a file, or an old path, that is still read; says what to write instead."""
 
 
+class LeftOutWarning(UserWarning):
+    """A report that was not written, because something that it needs is not installed; says what to do."""
+
+
 class RunError(CertkitError):
     """A simulation that did not finish or whose numbers cannot be trusted."""
 
     exit_code: ClassVar[int] = 3
+
+
+class MissingPartError(RunError):
+    """A library or a font that a report needs is not installed; says how to install it."""

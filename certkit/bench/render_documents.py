@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.bench.result_folder import AnotherResultError, result_switch, suite_switch
-from certkit.errors import RunError
 from certkit.files import write_whole
 
 if TYPE_CHECKING:
@@ -14,7 +13,7 @@ if TYPE_CHECKING:
 
     from certkit.documents.output_document import OutputDocument
     from certkit.documents.result import Result
-    from certkit.reporting.pdf_certificate import Paper
+    from certkit.reporting.report_format import Paper
 
 
 def render(  # noqa: PLR0913  # as many as the command has options
@@ -60,15 +59,14 @@ def render(  # noqa: PLR0913  # as many as the command has options
     Returns
     -------
     list of Path
-        What was written, the JSON first.
+        What was written, the JSON first. Where a library or a font that the PDF needs is missing, it is left
+        out with a `LeftOutWarning`.
 
     Raises
     ------
     UsageError
         When there is no such report of the document, or the folder holds another result; nothing is written
         then.
-    RunError
-        When the PDF's libraries are missing; all other formats are written by then.
     """
     folder = wanted = Path(out)
     asked = reports_of(document, formats)
@@ -98,7 +96,6 @@ def _render(  # noqa: PLR0913  # what `render` is asked for
     tell: Callable[[str], None],
     beside: Callable[[Path], Sequence[Path]],
 ) -> list[Path]:
-    late: RunError | None = None
     with result_switch(folder, document, force=force, tell=tell) as stage:
         text = document.to_json()
         write_whole(stage / document.file_name, text)
@@ -108,12 +105,7 @@ def _render(  # noqa: PLR0913  # what `render` is asked for
 
             # From the text, whose numbers are rounded: reports are the ones that the document alone makes.
             again = document.from_json(text)
-            try:
-                written += render_document(again, stage, asked, paper=paper, spoken=language)
-            except RunError as error:
-                late = error  # the other formats are there, and count
-    if late is not None:
-        raise late
+            written += render_document(again, stage, asked, paper=paper, spoken=language)
     return [folder / path.relative_to(stage) for path in written]
 
 

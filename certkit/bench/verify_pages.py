@@ -36,17 +36,17 @@ def rendered_again(results: Sequence[Result], attached: Attached) -> bytes | Che
     others = [r.provenance.certkit for r in results if r.provenance.certkit != __version__]
     if others:
         return unchecked(WHAT, "pages-of-another-version", version=others[0], now=__version__)
-    from certkit.reporting.pdf_certificate import certificate  # noqa: PLC0415  # WeasyPrint takes a second
+    from certkit.reporting.pdf_report import certificate  # noqa: PLC0415  # WeasyPrint takes a second
+    from certkit.reporting.result_view import unique_views  # noqa: PLC0415  # likewise
 
     title = attached.title if attached.title is not None else SUITE_TITLE if len(results) > 1 else None
     try:
         return certificate(
-            results,
+            unique_views(results, attached.language),
             paper=attached.paper,
             title=title,
             contents=title is not None,
             created=attached.created,
-            spoken=attached.language,
         )
     except CertkitError as error:
         return unchecked(WHAT, "pages-not-renderable", error=" ".join(str(error).split()))

@@ -33,7 +33,7 @@ from certkit.cli import (
     verify_command,
 )
 from certkit.cli.output_streams import end_streams, guard_streams
-from certkit.errors import CertkitError, OldFormWarning, UsageError
+from certkit.errors import CertkitError, LeftOutWarning, OldFormWarning, UsageError
 
 app = typer.Typer(
     name="certkit",
@@ -111,7 +111,7 @@ def _tell_remark(  # the signature of `warnings.showwarning`
 ) -> None:
     """Say a warning in one line; one of certkit's own without the place in its code."""
     text = f"remark: {message}"
-    if not issubclass(category, OldFormWarning):
+    if not issubclass(category, (OldFormWarning, LeftOutWarning)):
         text = warnings.formatwarning(message, category, filename, lineno, line).rstrip()
     typer.echo(text, file=file or sys.stderr)
 

@@ -114,14 +114,16 @@ def show(results: Sequence[Result], *, as_json: bool, folder: Path) -> None:
         typer.echo(text, nl=False)
         return
     from certkit.reporting import text_table as terminal  # noqa: PLC0415  # likewise
+    from certkit.reporting.result_view import unique_views  # noqa: PLC0415  # likewise
 
-    terminal.show(results)
+    views = unique_views(results)
+    terminal.show(views)
     page = next((page for page in (folder / "index.html", folder / "report.html") if page.exists()), folder)
     typer.echo(f"look at {page}", err=True)
     if os.environ.get("GITHUB_ACTIONS") == "true":
         from certkit.reporting.markdown import github_annotations  # noqa: PLC0415  # only there
 
-        for line in github_annotations(results):
+        for line in github_annotations(views):
             tell = getattr(sys.stdout, "command", None) or typer.echo
             tell(line)
 

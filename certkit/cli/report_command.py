@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+from certkit.errors import RunError
 
 Documents = Annotated[
     list[Path],
@@ -83,3 +84,5 @@ def report(
         )
     for path in written:
         typer.echo(f"wrote {path}", err=True)
+    if wanted and "pdf" in wanted and not any(path.suffix == ".pdf" for path in written):
+        raise typer.Exit(RunError.exit_code)  # asked for by name, and a remark has said why it is missing

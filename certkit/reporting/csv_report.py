@@ -9,13 +9,15 @@ from certkit.exchange.channels_csv import channels_csv
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.documents.result import Result
+    from certkit.reporting.result_view import View
 
 FILE = "channels.csv"
 SUITE_FILE: str | None = None
+TRANSLATED = False
+REPEATABLE = False  # `verify` compares the table by itself: another certkit may say more above it
 
 
-def write(results: Sequence[Result], *, title: str | None, paper: str, spoken: str) -> str | None:
+def write(views: Sequence[View], *, title: str | None, paper: str) -> str | None:
     """Return the table; None where the result holds no raw channels."""
-    del title, paper, spoken
-    return channels_csv(results[0])
+    del title, paper
+    return channels_csv(views[0].document)

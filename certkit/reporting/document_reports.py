@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.documents.output_document import OutputDocument
-    from certkit.reporting.pdf_certificate import Paper
+    from certkit.reporting.report_format import Paper
 
 
 @dataclass(frozen=True)

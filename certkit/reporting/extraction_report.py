@@ -10,15 +10,16 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from certkit._version import __version__
-from certkit.errors import UsageError
+from certkit.errors import MissingPartError, UsageError
 from certkit.files import write_whole
 from certkit.reporting.attachments import Enclosure
 from certkit.reporting.charts.grid import sheet as side_by_side
 from certkit.reporting.charts.lines import Line, lines_chart
 from certkit.reporting.extraction_checks import check_views
+from certkit.reporting.left_out import leave_out
 from certkit.reporting.palette import PENS
-from certkit.reporting.pdf_certificate import creation_date
 from certkit.reporting.pdf_engine import typeset
+from certkit.reporting.pdf_report import creation_date
 from certkit.reporting.static_page import sheet
 from certkit.reporting.templating import fill, text
 
@@ -47,15 +48,20 @@ def render_extraction(result: ExtractionResult, out: Path, formats: Collection[s
     Returns
     -------
     list of Path
-        What was written.
+        What was written; the PDF is left out with a `LeftOutWarning` where a library for it is missing.
     """
     written = []
     if "html" in formats:
         written.append(out / "extraction.html")
         write_whole(written[-1], extraction_page(result))
     if "pdf" in formats:
-        written.append(out / "extraction.pdf")
-        write_whole(written[-1], extraction_pdf(result))
+        try:
+            content = extraction_pdf(result)
+        except MissingPartError as error:
+            leave_out("extraction.pdf", error)
+        else:
+            written.append(out / "extraction.pdf")
+            write_whole(written[-1], content)
     return written
 
 

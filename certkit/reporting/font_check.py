@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 
-from certkit.errors import RunError
+from certkit.errors import MissingPartError
 
 PACKAGES = {"ja": "fonts-noto-cjk", "zh": "fonts-noto-cjk", "ko": "fonts-noto-cjk"}
 """Debian package with a font for languages that the shipped font has no signs for."""
@@ -18,7 +18,7 @@ def check_font(spoken: str) -> None:
 
     Raises
     ------
-    RunError
+    MissingPartError
         Says which font to install.
     """
     package = PACKAGES.get(spoken)
@@ -29,7 +29,7 @@ def check_font(spoken: str) -> None:
         [command, f":lang={spoken}", "family"], capture_output=True, check=False, timeout=60
     )
     if not listed.stdout.strip():
-        raise RunError(
+        raise MissingPartError(
             f"the PDF in this language (`{spoken}`) needs a font with its signs, and none is installed; on "
-            f"Debian and Ubuntu: `apt install {package}`; the HTML page does not need it (`--format html`)"
+            f"Debian and Ubuntu: `apt install {package}`; all other formats do without it"
         )

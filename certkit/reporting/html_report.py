@@ -11,15 +11,14 @@ import re
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
-from certkit.reporting.language import ENGLISH, language, languages
+from certkit.reporting.language import ENGLISH, languages
 from certkit.reporting.page_data import embedded, payload
-from certkit.reporting.result_view import View, unique_views
 from certkit.reporting.templating import fill, folder, text
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.documents.result import Result
+    from certkit.reporting.result_view import View
 
 _LANGUAGE = re.compile(rb'<html lang="([a-z]{2})">')
 _SCRIPTS = ("scripts/curves.js", "scripts/motion.js", "scripts/page.js")
@@ -27,6 +26,8 @@ _SCRIPTS = ("scripts/curves.js", "scripts/motion.js", "scripts/page.js")
 
 FILE = "report.html"
 SUITE_FILE: str | None = "index.html"
+TRANSLATED = True
+REPEATABLE = True
 
 
 def language_of(content: bytes) -> str:
@@ -36,15 +37,13 @@ def language_of(content: bytes) -> str:
     return code if code in languages() else ENGLISH
 
 
-def page(result: Result, spoken: str = ENGLISH) -> str:
-    """Return the page of one result, in a language."""
-    title = f"{result.title} – {language(spoken).verdict(result.verdict)}"
-    return _page(unique_views([result], spoken), [], title, spoken)
+def page(view: View) -> str:
+    """Return the page of one result."""
+    return _page([view], [], f"{view.result.title} – {view.spoken.verdict(view.result.verdict)}")
 
 
-def suite_page(results: Sequence[Result], title: str = "Certification suite", spoken: str = ENGLISH) -> str:
+def suite_page(views: Sequence[View], title: str = "Certification suite") -> str:
     """Return one page with an index line a procedure and all their reports below."""
-    views = unique_views(results, spoken)
     lines: list[dict[str, object]] = [
         {
             "key": shown.key,
@@ -58,15 +57,15 @@ def suite_page(results: Sequence[Result], title: str = "Certification suite", sp
         }
         for shown in views
     ]
-    return _page(views, lines, title, spoken)
+    return _page(views, lines, title)
 
 
-def _page(views: Sequence[View], index: Sequence[dict[str, object]], title: str, spoken: str) -> str:
+def _page(views: Sequence[View], index: Sequence[dict[str, object]], title: str) -> str:
     style = page_style()
     script = "(() => {\n" + "\n".join(text(name) for name in _SCRIPTS) + "})();"
     return fill(
         "page.html.j2",
-        spoken=spoken,
+        spoken=views[0].spoken.code,
         title=title,
         version=__version__,
         policy=_policy(style, script),
@@ -99,7 +98,7 @@ def _policy(style: str, script: str) -> str:
     )
 
 
-def write(results: Sequence[Result], *, title: str | None, paper: str, spoken: str) -> str:
+def write(views: Sequence[View], *, title: str | None, paper: str) -> str:
     """Return the page of one result, or of a suite where there is a title."""
     del paper
-    return page(results[0], spoken) if title is None else suite_page(results, title, spoken)
+    return page(views[0]) if title is None else suite_page(views, title)

@@ -14,23 +14,25 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree as ET
 
-from certkit.reporting.number_format import corridor, criterion_decimals, fixed
-
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.documents.result import CriterionResult, Result, Verdict
+    from certkit.documents.result import Result, Verdict
+    from certkit.reporting.criterion_row import Row
+    from certkit.reporting.result_view import View
 
 
 FILE = "junit.xml"
 SUITE_FILE: str | None = "junit.xml"
+TRANSLATED = False
+REPEATABLE = True
 
 
-def junit(results: Sequence[Result]) -> bytes:
+def junit(views: Sequence[View]) -> bytes:
     """Return the XML of one or several results, a test suite each."""
     root = ET.Element("testsuites", name="certkit")
-    for result in results:
-        root.append(_suite(result))
+    for view in views:
+        root.append(_suite(view))
     for count in ("tests", "failures", "errors", "skipped"):
         root.set(count, str(sum(int(suite.get(count, "0")) for suite in root)))
     ET.indent(root, " ")
@@ -38,7 +40,8 @@ def junit(results: Sequence[Result]) -> bytes:
     return xml + b"\n"
 
 
-def _suite(result: Result) -> ET.Element:
+def _suite(view: View) -> ET.Element:
+    result = view.result
     suite = ET.Element("testsuite", name=f"certkit.{result.procedure}")
     _properties(
         suite,
@@ -50,8 +53,8 @@ def _suite(result: Result) -> ET.Element:
             "remarks": " ".join(result.remarks),
         },
     )
-    for criterion in result.criteria:
-        _criterion(suite, result, criterion)
+    for row in view.rows:
+        _criterion(suite, result, row)
     for condition in result.preconditions:
         case = _case(suite, result, f"precondition: {condition.quantity}")
         _properties(case, {"value": condition.value, "unit": condition.unit})
@@ -70,7 +73,8 @@ def _suite(result: Result) -> ET.Element:
     return suite
 
 
-def _criterion(suite: ET.Element, result: Result, criterion: CriterionResult) -> None:
+def _criterion(suite: ET.Element, result: Result, row: Row) -> None:
+    criterion = row.criterion
     case = _case(suite, result, criterion.id)
     _properties(
         case,
@@ -87,22 +91,9 @@ def _criterion(suite: ET.Element, result: Result, criterion: CriterionResult) ->
         },
     )
     if criterion.graded:
-        _outcome(case, criterion.verdict, message(criterion))
+        _outcome(case, criterion.verdict, row.outcome)
     else:
         ET.SubElement(case, "skipped", message=criterion.reason or "informative: no corridor is known")
-
-
-def message(criterion: CriterionResult) -> str:
-    """Write one line on a criterion: `T4: 112.4 N·m outside 90 – 111 by 1.4 N·m`."""
-    if criterion.value is None:
-        return f"{criterion.id}: {criterion.verdict}; {criterion.reason or 'no value'}"
-    decimals = criterion_decimals(criterion)
-    words = f"{criterion.id}: {fixed(criterion.value, decimals)} {criterion.unit}"
-    margin = criterion.margin
-    if margin is not None and (criterion.lower is not None or criterion.upper is not None):
-        side = "inside" if margin >= 0 else "outside"
-        words += f" {side} {corridor(criterion.lower, criterion.upper)} by {fixed(abs(margin), decimals)}"
-    return f"{words}; {criterion.reason}" if criterion.reason else words
 
 
 def _case(suite: ET.Element, result: Result, name: str) -> ET.Element:
@@ -131,7 +122,7 @@ def _clean(words: str) -> str:
     return "".join(sign for sign in words if sign in "\t\n" or ord(sign) >= 0x20)
 
 
-def write(results: Sequence[Result], *, title: str | None, paper: str, spoken: str) -> bytes:
+def write(views: Sequence[View], *, title: str | None, paper: str) -> bytes:
     """Return the file; test runners read it in English."""
-    del title, paper, spoken
-    return junit(results)
+    del title, paper
+    return junit(views)

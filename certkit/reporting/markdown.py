@@ -4,66 +4,64 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.reporting import number_format as words
-from certkit.reporting.junit import message
-from certkit.reporting.margins import margin_words, tally, worst
+from certkit.reporting.number_format import MISSING
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from certkit.documents.result import CriterionResult, Result
+    from certkit.reporting.criterion_row import Row
+    from certkit.reporting.result_view import View
 
 
 FILE = "summary.md"
 SUITE_FILE: str | None = "summary.md"
+TRANSLATED = False
+REPEATABLE = True
 
 
-def summary(results: Sequence[Result]) -> str:
+def summary(views: Sequence[View]) -> str:
     """Return a Markdown summary, fit for `$GITHUB_STEP_SUMMARY`: an overview of several, then each result."""
     parts = []
-    if len(results) > 1:
+    if len(views) > 1:
         head = "| Procedure | Verdict | Nearest to a limit |\n|---|---|---|\n"
         lines = [
-            f"| {_cell(r.procedure)} | {_word(r.verdict)} | {_cell(margin_words(worst(r)))} |"
-            for r in results
+            f"| {_cell(view.result.procedure)} | {_verdict(view)} | {_cell(view.nearest)} |" for view in views
         ]
         parts.append("## certkit\n\n" + head + "\n".join(lines) + "\n")
-    parts += [_one(result) for result in results]
+    parts += [_one(view) for view in views]
     return "\n".join(parts)
 
 
-def _one(result: Result) -> str:
-    lines = [f"### {_cell(result.title)}: {_word(result.verdict)}", "", tally(result)]
+def _one(view: View) -> str:
+    result = view.result
+    lines = [f"### {_cell(result.title)}: {_verdict(view)}", "", view.tally]
     lines += [line for remark in result.remarks for line in ("", f"> {_cell(remark)}")]
     lines += [
         "",
         "| Criterion | Value | Corridor | Margin | Verdict | Confidence |",
         "|---|--:|---|--:|---|---|",
     ]
-    lines += [_criterion(criterion) for criterion in result.criteria]
+    lines += [_criterion(row) for row in view.rows]
     if result.comparison:
-        lines += ["", f"rms error against {_cell(result.comparison.reference)}: "]
-        lines[-1] += f"{words.fixed(result.comparison.rms_error_percent, 1)} %"
+        lines += ["", f"rms error against {_cell(result.comparison.reference)}: {view.error} %"]
     lines += ["", f"Certificate `{result.id}`", ""]
     return "\n".join(lines)
 
 
-def _criterion(criterion: CriterionResult) -> str:
-    decimals = words.criterion_decimals(criterion)
-    verdict = _word(criterion.verdict) if criterion.graded else "shown, not graded"
+def _criterion(row: Row) -> str:
     cells = [
-        words.named(criterion.id, criterion.title),
-        f"{words.fixed(criterion.value, decimals)} {criterion.unit}",
-        words.corridor(criterion.lower, criterion.upper),
-        words.fixed(criterion.margin, decimals),
-        verdict,
-        criterion.confidence or words.MISSING,
+        row.name,
+        f"{row.value} {row.criterion.unit}",
+        row.limits,
+        row.margin,
+        f"{row.sign} {row.verdict}" if row.graded else "shown, not graded",
+        row.confidence or MISSING,
     ]
     return "| " + " | ".join(_cell(cell) for cell in cells) + " |"
 
 
-def _word(verdict: str) -> str:
-    return f"{words.SIGNS[verdict]} {verdict}"
+def _verdict(view: View) -> str:
+    return f"{view.sign} {view.result.verdict}"
 
 
 def _cell(text: str) -> str:
@@ -72,17 +70,18 @@ def _cell(text: str) -> str:
     return " ".join(escaped.split())
 
 
-def github_annotations(results: Sequence[Result]) -> list[str]:
+def github_annotations(views: Sequence[View]) -> list[str]:
     """Return GitHub workflow commands: `::error …`, and `::warning …` inside the guard band."""
-    return [line for result in results for line in _annotations(result)]
+    return [line for view in views for line in _annotations(view)]
 
 
-def _annotations(result: Result) -> Iterator[str]:
-    for criterion in result.criteria:
-        if criterion.graded and criterion.verdict != "pass":
-            level = "warning" if criterion.verdict == "conditional" else "error"
-            title = f"{result.procedure} {criterion.id}: {criterion.verdict}"
-            yield f"::{level} title={_property(title)}::{_data(message(criterion))}"
+def _annotations(view: View) -> Iterator[str]:
+    result = view.result
+    for row in view.rows:
+        if row.graded and row.verdict != "pass":
+            level = "warning" if row.verdict == "conditional" else "error"
+            title = f"{result.procedure} {row.id}: {row.verdict}"
+            yield f"::{level} title={_property(title)}::{_data(row.outcome)}"
     if result.verdict in {"error", "not evaluated"}:
         text = " ".join([f"{result.title}: {result.verdict}.", *result.remarks])
         yield f"::error title={_property(f'{result.procedure}: {result.verdict}')}::{_data(text)}"
@@ -96,7 +95,7 @@ def _property(text: str) -> str:
     return _data(text).replace(":", "%3A").replace(",", "%2C")
 
 
-def write(results: Sequence[Result], *, title: str | None, paper: str, spoken: str) -> str:
+def write(views: Sequence[View], *, title: str | None, paper: str) -> str:
     """Return the file; it is read in English beside other checks."""
-    del title, paper, spoken
-    return summary(results)
+    del title, paper
+    return summary(views)

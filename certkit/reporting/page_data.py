@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.channel_history import history_frame, times
 from certkit.reporting.charts.motion_frames import FILL, bounds, largest_moment
-from certkit.reporting.result_view import ordered_channels, slug
+from certkit.reporting.criterion_row import slug
+from certkit.reporting.result_view import ordered_channels
 
 if TYPE_CHECKING:
     from certkit.documents.result import Motion, Result

@@ -12,7 +12,7 @@ import zlib
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from certkit.errors import RunError
+from certkit.errors import MissingPartError
 from certkit.reporting.templating import folder, text
 
 if TYPE_CHECKING:
@@ -74,16 +74,16 @@ def weasyprint() -> Any:  # noqa: ANN401  # the module has no types
 
     Raises
     ------
-    RunError
+    MissingPartError
         When the Pango library that it draws text with is missing; says how to install it.
     """
     try:
         import weasyprint as module  # noqa: PLC0415  # 1.1 s that only a PDF needs
     except OSError as error:
-        raise RunError(
+        raise MissingPartError(
             "the PDF needs the Pango library, which is not installed; on Debian and Ubuntu: "
             "`apt install libpango-1.0-0 libpangoft2-1.0-0 libharfbuzz0b`, on macOS: `brew install pango`; "
-            "HTML and JSON do not need it (`--format html`)"
+            "all other formats do without it"
         ) from error
     return module
 

@@ -1,56 +1,28 @@
-"""What the templates of page and certificate show: the result's parts, worded and drawn once for both."""
+"""A result as all of its reports show it: worded once for every format, drawn when a format asks for it."""
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from certkit.reporting import number_format as words
-from certkit.reporting.charts.channel_history import history_chart
-from certkit.reporting.charts.error_bars import errors_chart
-from certkit.reporting.charts.lines import energies_chart
-from certkit.reporting.charts.motion_frames import frames_chart
-from certkit.reporting.charts.plane import plane_chart
-from certkit.reporting.charts.position import position_bar
-from certkit.reporting.charts.spark import sparkline
+from certkit.reporting.criterion_row import Row, criterion_row, figure_of, slug
 from certkit.reporting.laboratory_view import LaboratoryView, laboratory_view
-from certkit.reporting.language import ENGLISH, language, worded
+from certkit.reporting.language import ENGLISH, Language, language, worded
 from certkit.reporting.margins import margin_words, nearest_words, tally, worst
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from certkit.documents.result import CriterionResult, Result
     from certkit.reporting.svg import Drawing
+    from certkit.reporting.vehicle_front_view import FrontView
 
 KINDS = {
     "virtual certification": ("Virtual certification of the model", "simulated test"),
     "test evaluation": ("Test evaluation", "measured test"),
 }
-
-
-@dataclass(frozen=True)
-class Row:
-    """A line of the criteria table, in words."""
-
-    id: str
-    title: str
-    value: str
-    unit: str
-    corridor: str
-    bar: Drawing | None
-    margin: str
-    time: str
-    verdict: str
-    sign: str
-    graded: bool
-    confidence: str
-    source_number: int | None
-    how: str
-    unsure: list[str]
-    reason: str
-    chart: str | None
 
 
 @dataclass(frozen=True)
@@ -73,28 +45,53 @@ class NumberGroup:
 
 @dataclass(frozen=True)
 class View:
-    """A result, ready for the templates."""
+    """A result, ready for every format.
 
+    Its figures are drawn when they are first asked for, and then kept: page and PDF show the same ones, and
+    text needs none.
+
+    Parameters
+    ----------
+    document : Result
+        As it was written.
+    result : Result
+        The same with its reasons in the language.
+    spoken : Language
+        The language of all words.
+    key : str
+        Part of ids in a page; differs among the results of a suite.
+    nearest_criterion : CriterionResult or None
+        Nearest to a limit, or furthest beyond it.
+    """
+
+    document: Result
     result: Result
+    spoken: Language
     key: str
     heading: str
     subject: str
     meaning: str
     tally: str
+    nearest_criterion: CriterionResult | None
     nearest: str
     nearest_words: str
     rows: list[Row]
     sources: list[str]
-    histories: list[LinkedDrawing]
-    planes: list[LinkedDrawing]
-    spark: Drawing | None
-    frames: Drawing | None
-    errors: Drawing | None
-    energies: Drawing | None
     laboratory: LaboratoryView | None
     specimen: list[tuple[str, str]]
     numbers: list[NumberGroup]
     number_sources: list[str]
+
+    @property
+    def sign(self) -> str:
+        """A sign for the verdict."""
+        return words.SIGNS[self.result.verdict]
+
+    @property
+    def error(self) -> str:
+        """The rms error against the reference in %, as the field writes it; empty without a comparison."""
+        comparison = self.result.comparison
+        return words.fixed(comparison.rms_error_percent, 1) if comparison else ""
 
     @property
     def confidences(self) -> list[tuple[str, int]]:
@@ -104,90 +101,68 @@ class View:
             counts[parameter.confidence] += 1
         return [(word, count) for word, count in counts.items() if count]
 
+    @cached_property
+    def histories(self) -> list[LinkedDrawing]:
+        """Each channel over time."""
+        from certkit.reporting.charts.channel_history import history_chart  # noqa: PLC0415  # see the class
 
-def slug(text: str) -> str:
-    """Return `text` as part of an HTML id and of a file name."""
-    return re.sub(r"[^A-Za-z0-9]+", "-", text).strip("-") or "x"
+        curves = self.result.curves
+        if curves is None or not _drawable(self.result):
+            return []
+        return [
+            LinkedDrawing(
+                f"{self.key}-chart-{slug(name)}", name, history_chart(curves, name, c), c.id if c else None
+            )
+            for name, c in ordered_channels(self.result).items()
+        ]
 
+    @cached_property
+    def planes(self) -> list[LinkedDrawing]:
+        """Each criterion that is a curve in a plane."""
+        from certkit.reporting.charts.plane import plane_chart  # noqa: PLC0415  # likewise
 
-def _unsure(criterion: CriterionResult, decimals: int, t: Callable[..., str]) -> list[str]:
-    remarks: list[str] = []
-    unsure = criterion.uncertainty
-    if unsure:
-        finest = 10.0**-decimals
-        if unsure.numerical is not None and abs(unsure.numerical) < finest / 2:
-            remarks.append(f"± < {words.plain(finest)} {t('numerical')}")
-        parts = (
-            (t("numerical"), unsure.numerical if abs(unsure.numerical or 0) >= finest / 2 else None),
-            ("U, k = 2", unsure.expanded),
-            (t("guard band"), unsure.guard_band),
-        )
-        remarks += [f"± {words.plain(v, 2)} {name}" for name, v in parts if v]
-        if unsure.false_accept is not None:
-            share = unsure.false_accept * 100
-            remarks.append(f"{t('false accept')} {words.plain(share, 2) if share >= 0.01 else '< 0.01'} %")
-    if criterion.spread:
-        spread = criterion.spread
-        low, high = (words.fixed(v, decimals) for v in (spread.minimum, spread.maximum))
-        remarks.append(t("{low} – {high} over {legs} legs", low=low, high=high, legs=spread.members))
-        remarks.append(f"{t('standard deviation')} {words.plain(spread.standard_deviation, 2)}")
-        if spread.passing is not None:
-            remarks.append(t("{percent} % of the legs pass", percent=f"{100 * spread.passing:.0f}"))
-    return remarks
+        return [
+            LinkedDrawing(f"{self.key}-chart-{slug(figure_of(c))}", c.id, plane_chart(c.curve, c.title), c.id)
+            for c in self.result.criteria
+            if c.curve
+        ]
 
+    @cached_property
+    def spark(self) -> Drawing | None:
+        """A small curve of the criterion nearest to a limit."""
+        from certkit.reporting.charts.spark import sparkline  # noqa: PLC0415  # likewise
 
-def _row(
-    criterion: CriterionResult, key: str, drawn: set[str], sources: list[str], t: Callable[..., str]
-) -> Row:
-    decimals = words.criterion_decimals(criterion)
-    target = _target(criterion)
-    how = " · ".join(part for part in (t(criterion.measure), criterion.filter) if part and part != "none")
-    return Row(
-        id=criterion.id,
-        title=words.rest(criterion.id, criterion.title),
-        value=words.fixed(criterion.value, decimals),
-        unit=criterion.unit if criterion.value is not None else "",
-        corridor=_corridor(criterion, t),
-        bar=position_bar(criterion, decimals),
-        margin=words.fixed(criterion.margin, decimals),
-        time=words.milliseconds(criterion.time),
-        verdict=criterion.verdict if criterion.graded else "informative",
-        sign=words.SIGNS[criterion.verdict] if criterion.graded else "·",
-        graded=criterion.graded,
-        confidence=criterion.confidence or "",
-        source_number=sources.index(criterion.source) + 1 if criterion.source else None,
-        how=how,
-        unsure=_unsure(criterion, decimals, t),
-        reason=criterion.reason,
-        chart=f"{key}-chart-{slug(target)}" if target in drawn else None,
-    )
+        return sparkline(self.result, self.nearest_criterion)
 
+    @cached_property
+    def frames(self) -> Drawing | None:
+        """The test at a few instants."""
+        from certkit.reporting.charts.motion_frames import frames_chart  # noqa: PLC0415  # likewise
 
-def _numbers(result: Result, sources: list[str]) -> list[NumberGroup]:
-    """Group the numbers that went in by the file before the colon of their path."""
-    groups: dict[str, list[tuple[str, str, str, int]]] = {}
-    for number in result.parameters:
-        file, colon, name = number.path.partition(": ")
-        row = (
-            name if colon else number.path,
-            number.value,
-            number.confidence,
-            sources.index(number.source) + 1,
-        )
-        groups.setdefault(file if colon else "", []).append(row)
-    return [NumberGroup(title, rows) for title, rows in groups.items()]
+        motion = self.result.motion
+        return frames_chart(motion) if motion and motion.poses else None
 
+    @cached_property
+    def errors(self) -> Drawing | None:
+        """Peaks of test and simulation beside each other."""
+        from certkit.reporting.charts.error_bars import errors_chart  # noqa: PLC0415  # likewise
 
-def _corridor(criterion: CriterionResult, t: Callable[..., str]) -> str:
-    if criterion.lower is None and criterion.upper is None:
-        if criterion.curve and criterion.curve.polygon:
-            return t("polygon")
-        return t("over time") if criterion.band else words.MISSING
-    return words.corridor(criterion.lower, criterion.upper)
+        comparison = self.result.comparison
+        return errors_chart(comparison) if comparison and comparison.rows else None
 
+    @cached_property
+    def energies(self) -> Drawing | None:
+        """Energies over time."""
+        from certkit.reporting.charts.lines import energies_chart  # noqa: PLC0415  # likewise
 
-def _target(criterion: CriterionResult) -> str:
-    return f"plane {criterion.id}" if criterion.curve else criterion.channel
+        return energies_chart(self.result.energies) if self.result.energies else None
+
+    @cached_property
+    def front(self) -> FrontView | None:
+        """What a vehicle's front did."""
+        from certkit.reporting.vehicle_front_view import front_view  # noqa: PLC0415  # likewise
+
+        return front_view(self.result.front)
 
 
 def ordered_channels(result: Result) -> dict[str, CriterionResult | None]:
@@ -203,54 +178,33 @@ def ordered_channels(result: Result) -> dict[str, CriterionResult | None]:
 
 
 def view(result: Result, *, suffix: str = "", spoken: str = ENGLISH) -> View:
-    """Word and draw a result in a language; `suffix` tells two results of one procedure apart."""
-    t = language(spoken).word
+    """Word a result in a language; `suffix` tells two results of one procedure apart."""
+    chosen = language(spoken)
+    t = chosen.word
+    document = result
     if spoken != ENGLISH:
         result = worded(result, spoken)
     key = slug(result.procedure) + suffix
-    channels = ordered_channels(result)
-    curves = result.curves
-    drawable = curves is not None and curves.count > 1
-    histories = (
-        [
-            LinkedDrawing(
-                f"{key}-chart-{slug(name)}",
-                name,
-                history_chart(curves, name, c),
-                c.id if c is not None else None,
-            )
-            for name, c in channels.items()
-        ]
-        if curves is not None and drawable
-        else []
-    )
-    planes = [
-        LinkedDrawing(f"{key}-chart-{slug(_target(c))}", c.id, plane_chart(c.curve, c.title), c.id)
-        for c in result.criteria
-        if c.curve
-    ]
-    targets = {_target(c) for c in result.criteria if c.curve} | (set(channels) if drawable else set())
+    drawn = {figure_of(c) for c in result.criteria if c.curve}
+    drawn |= set(ordered_channels(result)) if _drawable(result) else set()
     sources = list(dict.fromkeys(c.source for c in result.criteria if c.source))
     number_sources = list(dict.fromkeys(p.source for p in result.parameters))
     nearest = worst(result)
     heading, subject = KINDS[result.kind]
     return View(
+        document=document,
         result=result,
+        spoken=chosen,
         key=key,
         heading=t(heading),
         subject=t(subject),
         meaning=t(words.meaning(result.verdict)) if result.verdict in {"not evaluated", "error"} else "",
-        tally=tally(result, language(spoken)),
-        nearest=margin_words(nearest, language(spoken)),
-        nearest_words=nearest_words(nearest, language(spoken)),
-        rows=[_row(criterion, key, targets, sources, t) for criterion in result.criteria],
+        tally=tally(result, chosen),
+        nearest_criterion=nearest,
+        nearest=margin_words(nearest, chosen),
+        nearest_words=nearest_words(nearest, chosen),
+        rows=[criterion_row(criterion, key, drawn, sources, t) for criterion in result.criteria],
         sources=sources,
-        histories=histories,
-        planes=planes,
-        spark=sparkline(result, nearest),
-        frames=frames_chart(result.motion) if result.motion and result.motion.poses else None,
-        errors=errors_chart(result.comparison) if result.comparison and result.comparison.rows else None,
-        energies=energies_chart(result.energies) if result.energies else None,
         laboratory=laboratory_view(result.laboratory),
         specimen=[(t(name), value) for name, value in result.specimen.items()],
         numbers=_numbers(result, number_sources),
@@ -267,3 +221,23 @@ def unique_views(results: Sequence[Result], spoken: str = ENGLISH) -> list[View]
         number = counts[result.procedure]
         views.append(view(result, suffix=f"-{number}" if number > 1 else "", spoken=spoken))
     return views
+
+
+def _drawable(result: Result) -> bool:
+    """Whether there are curves over time: one point is none."""
+    return result.curves is not None and result.curves.count > 1
+
+
+def _numbers(result: Result, sources: list[str]) -> list[NumberGroup]:
+    """Group the numbers that went in by the file before the colon of their path."""
+    groups: dict[str, list[tuple[str, str, str, int]]] = {}
+    for number in result.parameters:
+        file, colon, name = number.path.partition(": ")
+        row = (
+            name if colon else number.path,
+            number.value,
+            number.confidence,
+            sources.index(number.source) + 1,
+        )
+        groups.setdefault(file if colon else "", []).append(row)
+    return [NumberGroup(title, rows) for title, rows in groups.items()]

@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from certkit.errors import UsageError
 from certkit.reporting import number_format as words
-from certkit.reporting.charts.position import position_bar
 from certkit.reporting.language import ENGLISH, language
-from certkit.reporting.vehicle_front_view import front_view
 
 if TYPE_CHECKING:
     from jinja2.sandbox import SandboxedEnvironment
@@ -67,8 +65,6 @@ def _environment(code: str) -> SandboxedEnvironment:
         "corridor": words.corridor,
         "signs": words.SIGNS,
         "confidence_words": words.CONFIDENCE,
-        "bar": position_bar,
-        "front_view": front_view,
     }
     return environment
 

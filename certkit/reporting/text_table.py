@@ -7,14 +7,14 @@ import os
 import sys
 from typing import TYPE_CHECKING, TextIO, TypeAlias
 
-from certkit.reporting import number_format as words
-from certkit.reporting.margins import margin_words, tally, worst
 from certkit.reporting.plaintext import aligned
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.documents.result import CriterionResult, Result
+    from certkit.documents.result import CriterionResult
+    from certkit.reporting.criterion_row import Row
+    from certkit.reporting.result_view import View
 
 STYLES = {
     "pass": "green",
@@ -67,117 +67,103 @@ def bar(criterion: CriterionResult) -> str:
     return "".join(signs)
 
 
-def heads(result: Result) -> list[str]:
+def heads(view: View) -> list[str]:
     """Return the heads of the table's columns."""
-    spread = ["over the family"] if _spreads(result) else []
+    spread = ["over the family"] if _spreads(view) else []
     return ["", "value", "", "corridor", "", "margin", *spread, "verdict"]
 
 
-def row(criterion: CriterionResult, *, spreads: bool) -> list[Line]:
+def cells(row: Row, *, spreads: bool) -> list[Line]:
     """Return a criterion's cells."""
-    decimals = words.criterion_decimals(criterion)
-    style = STYLES[criterion.verdict] if criterion.graded else "dim"
-    verdict = f"{words.SIGNS[criterion.verdict]} {criterion.verdict}" if criterion.graded else "  shown only"
-    reason = f" ({criterion.reason})" if criterion.reason and criterion.graded else ""
+    style = STYLES[row.criterion.verdict] if row.graded else "dim"
+    verdict = f"{row.sign} {row.verdict}" if row.graded else "  shown only"
+    reason = f" ({row.reason})" if row.reason and row.graded else ""
     return [
-        [(criterion.id, "bold")],
-        [(words.fixed(criterion.value, decimals), "")],
-        [(criterion.unit, "")],
-        [(words.corridor(criterion.lower, criterion.upper), "")],
-        [(bar(criterion), style)],
-        [(words.fixed(criterion.margin, decimals), "")],
-        *([[(_spread(criterion, decimals), "")]] if spreads else []),
+        [(row.id, "bold")],
+        [(row.value, "")],
+        [(row.criterion.unit, "")],
+        [(row.limits, "")],
+        [(bar(row.criterion), style)],
+        [(row.margin, "")],
+        *([[(row.spread, "")]] if spreads else []),
         [(verdict, style), (reason, "")],
     ]
 
 
-def above(result: Result) -> Line:
+def above(view: View) -> Line:
     """Return the line above the table: what was tested, the verdict, the certificate's id."""
-    verdict = f"{words.SIGNS[result.verdict]} {result.verdict.upper()}"
-    return [(result.title, "bold"), ("  ", ""), (verdict, STYLES[result.verdict]), (f"  {result.id}", "dim")]
+    result = view.result
+    verdict = (f"{view.sign} {result.verdict.upper()}", STYLES[result.verdict])
+    return [(result.title, "bold"), ("  ", ""), verdict, (f"  {result.id}", "dim")]
 
 
-def below(result: Result) -> list[Line]:
+def below(view: View) -> list[Line]:
     """Return the lines below the table: how many passed, the error against the reference, the remarks."""
-    lines: list[Line] = [[(tally(result), "")]]
-    if result.comparison:
-        error = words.fixed(result.comparison.rms_error_percent, 1)
-        lines.append([(f"rms error against {result.comparison.reference}: {error} %", "")])
-    lines += [[("! ", "yellow"), (remark, "")] for remark in result.remarks]
+    lines: list[Line] = [[(view.tally, "")]]
+    if view.result.comparison:
+        lines.append([(f"rms error against {view.result.comparison.reference}: {view.error} %", "")])
+    lines += [[("! ", "yellow"), (remark, "")] for remark in view.result.remarks]
     return [*lines, []]
 
 
-def last(results: Sequence[Result]) -> list[Line]:
+def last(views: Sequence[View]) -> list[Line]:
     """Return a line for each of several procedures."""
-    if len(results) < 2:
+    if len(views) < 2:
         return []
     return [
         [
-            (f"{words.SIGNS[result.verdict]} {result.verdict:<13}", STYLES[result.verdict]),
-            (f"  {result.procedure:<14}  {margin_words(worst(result))}", ""),
+            (f"{view.sign} {view.result.verdict:<13}", STYLES[view.result.verdict]),
+            (f"  {view.result.procedure:<14}  {view.nearest}", ""),
         ]
-        for result in results
+        for view in views
     ]
 
 
-def _spreads(result: Result) -> bool:
-    return any(criterion.spread for criterion in result.criteria)
+def _spreads(view: View) -> bool:
+    return any(row.criterion.spread for row in view.rows)
 
 
-def _spread(criterion: CriterionResult, decimals: int) -> str:
-    """Return smallest and largest value over a family of legs, with mean and standard deviation."""
-    spread = criterion.spread
-    if spread is None:
-        return words.MISSING
-    low, high, mean, deviation = (
-        words.fixed(v, decimals)
-        for v in (spread.minimum, spread.maximum, spread.mean, spread.standard_deviation)
-    )
-    share = "" if spread.passing is None else f", {100 * spread.passing:.0f} % pass"
-    return f"{low} to {high}, {mean} ± {deviation}{share}"
-
-
-def show(results: Sequence[Result], stream: TextIO | None = None) -> None:
+def show(views: Sequence[View], stream: TextIO | None = None) -> None:
     """Print the verdict tables and, for several procedures, one line each at the end."""
     target = stream or sys.stdout
     if target.isatty() or os.environ.get("FORCE_COLOR"):
-        _show_in_colour(results, target)
+        _show_in_colour(views, target)
     else:
-        _show_plain(results, target)
+        _show_plain(views, target)
 
 
-def _show_plain(results: Sequence[Result], target: TextIO) -> None:
+def _show_plain(views: Sequence[View], target: TextIO) -> None:
     """Print for a pipe, at any width and without waiting 50 ms for rich."""
 
     def text(line: Line) -> str:
         return "".join(part for part, _ in line)
 
-    for result in results:
-        cells = [[text(cell) for cell in row(c, spreads=_spreads(result))] for c in result.criteria]
-        print(text(above(result)), aligned(heads(result), cells, right=RIGHT), sep="\n", file=target)
-        print(*map(text, below(result)), sep="\n", file=target)
-    for line in last(results):
+    for view in views:
+        table = [[text(cell) for cell in cells(row, spreads=_spreads(view))] for row in view.rows]
+        print(text(above(view)), aligned(heads(view), table, right=RIGHT), sep="\n", file=target)
+        print(*map(text, below(view)), sep="\n", file=target)
+    for line in last(views):
         print(text(line), file=target)
 
 
-def _show_in_colour(results: Sequence[Result], target: TextIO) -> None:
+def _show_in_colour(views: Sequence[View], target: TextIO) -> None:
     """Print for people."""
     from rich.console import Console  # noqa: PLC0415  # a pipe need not wait for it
     from rich.table import Table  # noqa: PLC0415  # likewise
     from rich.text import Text  # noqa: PLC0415  # likewise
 
     console = Console(file=target, highlight=False, no_color=bool(os.environ.get("NO_COLOR")) or None)
-    for result in results:
+    for view in views:
         table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-        *narrow, verdict = heads(result)
+        *narrow, verdict = heads(view)
         for number, head in enumerate(narrow):
             table.add_column(head, justify="right" if number in RIGHT else "left", no_wrap=True)
         table.add_column(verdict)
-        for criterion in result.criteria:
-            table.add_row(*(Text.assemble(*cell) for cell in row(criterion, spreads=_spreads(result))))
-        console.print(Text.assemble(*above(result)))
+        for row in view.rows:
+            table.add_row(*(Text.assemble(*cell) for cell in cells(row, spreads=_spreads(view))))
+        console.print(Text.assemble(*above(view)))
         console.print(table)
-        for line in below(result):
+        for line in below(view):
             console.print(Text.assemble(*line))
-    for line in last(results):
+    for line in last(views):
         console.print(Text.assemble(*line))

@@ -4,19 +4,22 @@ from __future__ import annotations
 
 from importlib import import_module
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
-from certkit.errors import UsageError
+from certkit.errors import MissingPartError, UsageError
 from certkit.files import write_whole
 from certkit.reporting.language import ENGLISH
+from certkit.reporting.left_out import leave_out
+from certkit.reporting.result_view import unique_views
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Sequence
+    from collections.abc import Collection, Iterator, Sequence
     from pathlib import Path
 
     from certkit.documents.result import Result
     from certkit.identification import ExtractionResult
-    from certkit.reporting.pdf_certificate import Paper
+    from certkit.reporting.report_format import Paper, ReportFormat
+    from certkit.reporting.result_view import View
 
 FORMATS = MappingProxyType(
     {
@@ -24,18 +27,22 @@ FORMATS = MappingProxyType(
         "junit": "certkit.reporting.junit",
         "md": "certkit.reporting.markdown",
         "html": "certkit.reporting.html_report",
-        "pdf": "certkit.reporting.pdf_certificate",
+        "pdf": "certkit.reporting.pdf_report",
     }
 )
-"""The module of each format, cheapest first, so that a missing Pango still leaves the others.
+"""The module of each format, cheapest first: a `certkit.reporting.report_format.ReportFormat`.
 
-A format is one file and one line here. It has `FILE` and `SUITE_FILE`, its files for one result and for
-several (None: there is none), and `write(results, *, title, paper, spoken)`, which returns the content, or
-None where there is nothing to write. It is imported when it is asked for: JUnit must not wait for jinja2.
+A format is one file and one line here: writing, the list of formats and `verify` ask the module. It is
+imported when it is asked for: JUnit must not wait for jinja2.
 """
 
 
 SUITE_TITLE = "Certification suite"
+
+
+def report_format(name: str) -> ReportFormat:
+    """Return the module of a format."""
+    return cast("ReportFormat", import_module(FORMATS[name]))
 
 
 def checked(formats: Collection[str]) -> list[str]:
@@ -73,14 +80,13 @@ def render(
     Returns
     -------
     list of Path
-        The files written. `channels.csv` is left out when the result holds no raw channels.
+        The files written. `channels.csv` is left out when the result holds no raw channels, and the PDF, with
+        a `LeftOutWarning`, where a library or a font that it needs is missing.
 
     Raises
     ------
     UsageError
         When a format is unknown.
-    RunError
-        When the PDF's libraries are missing; all other formats are written by then.
     """
     return render_written(result.as_written(), out, formats, paper=paper, spoken=spoken)
 
@@ -109,6 +115,34 @@ def render_suite(
     return _write(results, out, formats, title=title, paper=paper, spoken=spoken)
 
 
+def repeatable(folder: Path) -> list[str]:
+    """Return the reports in a folder that the document alone renders to, by their file names."""
+    made = [report_format(name) for name in FORMATS]
+    return [each.FILE for each in made if each.REPEATABLE and (folder / each.FILE).is_file()]
+
+
+def rendered_again(result: Result, folder: Path) -> Iterator[tuple[str, bytes]]:
+    """Yield the name and the bytes of each report in a folder that the document alone renders to.
+
+    Parameters
+    ----------
+    result : Result
+        The document, as it was read.
+    folder : Path
+        Holds the reports; they are read for their language alone.
+    """
+    there = repeatable(folder)
+    for name in FORMATS:
+        made = report_format(name)
+        if made.FILE not in there:
+            continue
+        spoken = ENGLISH
+        if made.TRANSLATED:
+            spoken = import_module(FORMATS[name]).language_of((folder / made.FILE).read_bytes())
+        content = made.write(unique_views([result], spoken), title=None, paper="A4") or b""
+        yield made.FILE, content.encode() if isinstance(content, str) else content
+
+
 def _write(  # what a format takes
     results: Sequence[Result],
     out: Path,
@@ -119,12 +153,20 @@ def _write(  # what a format takes
     spoken: str,
 ) -> list[Path]:
     written = []
+    views: dict[str, list[View]] = {}
     for name in checked(formats):
-        module = import_module(FORMATS[name])
-        file = module.FILE if title is None else module.SUITE_FILE
-        content = None
-        if file is not None:
-            content = module.write(results, title=title, paper=paper, spoken=spoken)
+        made = report_format(name)
+        file = made.FILE if title is None else made.SUITE_FILE
+        if file is None:
+            continue
+        code = spoken if made.TRANSLATED else ENGLISH
+        if code not in views:
+            views[code] = unique_views(results, code)
+        try:
+            content = made.write(views[code], title=title, paper=paper)
+        except MissingPartError as error:
+            leave_out(file, error)
+            continue
         if content is not None:
             write_whole(out / file, content)
             written.append(out / file)

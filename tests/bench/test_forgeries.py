@@ -11,7 +11,8 @@ from support.forgeries import DOCUMENTS, PAPERS, Forgery, forged
 import certkit
 from certkit.bench.verify import verify
 from certkit.documents.result import Result
-from certkit.reporting.pdf_certificate import certificate
+from certkit.reporting.pdf_report import certificate
+from certkit.reporting.result_view import unique_views
 
 DATA = Path(__file__).parents[2] / "examples" / "measured"
 
@@ -25,7 +26,7 @@ def genuine() -> dict[str, Result | bytes]:
         "measured": measured.as_written(),
         "simulated": certkit.run("inverse", refine=False).as_written(),
         "simulated overridden": certkit.run("pendulum", overrides=changed, refine=False).as_written(),
-        "pdf": certificate([measured.as_written()]),
+        "pdf": certificate(unique_views([measured.as_written()])),
     }
 
 

@@ -36,6 +36,7 @@ def browser() -> Iterator[Browser]:
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Write the pages that all tests look at."""
     from certkit.reporting.html_report import page, suite_page  # noqa: PLC0415  # the browser tests alone need it
+    from certkit.reporting.result_view import unique_views, view  # noqa: PLC0415  # likewise
 
     place = tmp_path_factory.mktemp("pages")
     results = {
@@ -44,6 +45,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "measured": synthetic_result.laboratory_result(),
     }
     for name, result in results.items():
-        (place / f"{name}.html").write_text(page(result))
-    (place / "suite.html").write_text(suite_page(list(results.values())))
+        (place / f"{name}.html").write_text(page(view(result)))
+    (place / "suite.html").write_text(suite_page(unique_views(list(results.values()))))
     return place

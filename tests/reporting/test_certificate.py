@@ -18,16 +18,17 @@ import weasyprint
 from support import synthetic_result
 
 from certkit.documents.result import Result
-from certkit.errors import RunError, UsageError
+from certkit.errors import LeftOutWarning, MissingPartError, UsageError
 from certkit.reporting import pdf_engine as typesetting
 from certkit.reporting import render
 from certkit.reporting.attachments import MANIFEST
-from certkit.reporting.pdf_certificate import certificate
+from certkit.reporting.pdf_report import certificate
+from certkit.reporting.result_view import unique_views
 
 
 @pytest.fixture(scope="module")
 def made() -> bytes:
-    return certificate([synthetic_result.laboratory_result()])
+    return certificate(unique_views([synthetic_result.laboratory_result()]))
 
 
 @pytest.fixture(scope="module")
@@ -138,11 +139,11 @@ def test_the_laboratory_and_its_customer_are_named(made: bytes, tmp_path: Path):
 
 
 def test_repeating_gives_the_same_bytes(made: bytes):
-    assert certificate([synthetic_result.laboratory_result()]) == made
+    assert certificate(unique_views([synthetic_result.laboratory_result()])) == made
 
 
 def test_another_day_gives_the_same_bytes(monkeypatch: pytest.MonkeyPatch):
-    first = certificate([synthetic_result.static_result()])
+    first = certificate(unique_views([synthetic_result.static_result()]))
 
     class Tomorrow(dt.datetime):
         @classmethod
@@ -150,24 +151,25 @@ def test_another_day_gives_the_same_bytes(monkeypatch: pytest.MonkeyPatch):
             return super().now(tz) + dt.timedelta(days=400)
 
     monkeypatch.setattr(dt, "datetime", Tomorrow)
-    assert certificate([synthetic_result.static_result()]) == first
+    assert certificate(unique_views([synthetic_result.static_result()])) == first
 
 
 def test_another_process_gives_the_same_bytes(tmp_path: Path):
     code = (
         "import sys; sys.path.insert(0, sys.argv[1]); from support import synthetic_result;"
         "from pathlib import Path;"
-        "from certkit.reporting.pdf_certificate import certificate;"
-        "Path(sys.argv[2]).write_bytes(certificate([synthetic_result.static_result()]))"
+        "from certkit.reporting.pdf_report import certificate;"
+        "from certkit.reporting.result_view import unique_views;"
+        "Path(sys.argv[2]).write_bytes(certificate(unique_views([synthetic_result.static_result()])))"
     )
     folder = str(Path(synthetic_result.__file__).parents[1])
     subprocess.run([sys.executable, "-c", code, folder, tmp_path / "x.pdf"], check=True)
-    assert (tmp_path / "x.pdf").read_bytes() == certificate([synthetic_result.static_result()])
+    assert (tmp_path / "x.pdf").read_bytes() == certificate(unique_views([synthetic_result.static_result()]))
 
 
 def test_source_date_epoch_becomes_the_date(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1700000000")
-    with pikepdf.open(io.BytesIO(certificate([synthetic_result.static_result()]))) as pdf:
+    with pikepdf.open(io.BytesIO(certificate(unique_views([synthetic_result.static_result()])))) as pdf:
         assert str(pdf.docinfo.CreationDate).startswith("D:20231114")
 
 
@@ -178,18 +180,20 @@ def test_the_day_of_issue_becomes_the_date(pdf: pikepdf.Pdf):
 def test_a_source_date_epoch_that_is_no_number_is_refused(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "yesterday")
     with pytest.raises(UsageError, match="SOURCE_DATE_EPOCH is `yesterday`"):
-        certificate([synthetic_result.static_result()])
+        certificate(unique_views([synthetic_result.static_result()]))
 
 
 def test_solver_time_leaves_no_trace():
     slow = synthetic_result.document()
     slow["quality"]["solver_seconds"] = 99.0
-    assert certificate([Result.model_validate(slow).with_id()]) == certificate([synthetic_result.result()])
+    assert certificate(unique_views([Result.model_validate(slow).with_id()])) == certificate(
+        unique_views([synthetic_result.result()])
+    )
 
 
 def test_a_suite_begins_with_its_contents(tmp_path: Path):
     results = [synthetic_result.result(), synthetic_result.static_result()]
-    made = certificate(results, title="Certification suite", contents=True, paper="Letter")
+    made = certificate(unique_views(results), title="Certification suite", contents=True, paper="Letter")
     pages = text_of(made, tmp_path).split("\f")
     assert "Certification suite" in pages[0]
     assert all(result.id in pages[0] for result in results)
@@ -211,7 +215,8 @@ def test_nothing_outside_the_fonts_folder_is_fetched():
             fetcher.fetch(address)
 
 
-def test_without_pango_the_message_says_how_to_install_it(monkeypatch: pytest.MonkeyPatch):
+@pytest.fixture
+def without_pango(monkeypatch: pytest.MonkeyPatch) -> None:
     real = __import__
 
     def no_pango(name: str, *arguments: Any, **keywords: Any) -> Any:  # noqa: ANN401  # anything at all
@@ -220,5 +225,16 @@ def test_without_pango_the_message_says_how_to_install_it(monkeypatch: pytest.Mo
         return real(name, *arguments, **keywords)
 
     monkeypatch.setattr("builtins.__import__", no_pango)
-    with pytest.raises(RunError, match="apt install libpango"):
-        certificate([synthetic_result.static_result()])
+
+
+@pytest.mark.usefixtures("without_pango")
+def test_without_pango_the_message_says_how_to_install_it():
+    with pytest.raises(MissingPartError, match="apt install libpango"):
+        certificate(unique_views([synthetic_result.static_result()]))
+
+
+@pytest.mark.usefixtures("without_pango")
+def test_without_pango_all_other_reports_are_written_and_one_remark_says_so(tmp_path: Path):
+    with pytest.warns(LeftOutWarning, match=r"report\.pdf is not written: the PDF needs the Pango library"):
+        written = render(synthetic_result.static_result(), tmp_path, ["pdf", "html", "md", "junit"])
+    assert {path.name for path in written} == {"junit.xml", "summary.md", "report.html"}

@@ -18,7 +18,7 @@ from certkit.bench.render_documents import render
 from certkit.bench.verify import verify
 from certkit.definitions.procedure import Measure
 from certkit.documents.wording import without_words
-from certkit.errors import RunError, UsageError
+from certkit.errors import MissingPartError, UsageError
 from certkit.reasons import Reason
 from certkit.reporting import font_check
 from certkit.reporting.language import language, languages, worded
@@ -193,6 +193,6 @@ def test_without_a_font_there_is_no_pdf_of_empty_boxes(monkeypatch: pytest.Monke
     nothing = subprocess.CompletedProcess([], 0, stdout=b"")
     monkeypatch.setattr(font_check.shutil, "which", lambda _: "/usr/bin/fc-list")
     monkeypatch.setattr(font_check.subprocess, "run", lambda *_, **__: nothing)
-    with pytest.raises(RunError, match="fonts-noto-cjk"):
+    with pytest.raises(MissingPartError, match="fonts-noto-cjk"):
         font_check.check_font("ja")
     font_check.check_font("de")

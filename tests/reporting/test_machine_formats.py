@@ -15,10 +15,11 @@ from certkit.exchange.channels_csv import channels_csv
 from certkit.reporting import render, render_suite
 from certkit.reporting.junit import junit
 from certkit.reporting.markdown import github_annotations, summary
+from certkit.reporting.result_view import unique_views
 
 
 def cases(result: Result) -> dict[str | None, ET.Element]:
-    return {case.get("name"): case for case in parsed(junit([result])).iter("testcase")}
+    return {case.get("name"): case for case in parsed(junit(unique_views([result]))).iter("testcase")}
 
 
 def properties(case: ET.Element) -> dict[str | None, str | None]:
@@ -45,14 +46,14 @@ def test_verdicts_become_what_a_gate_understands(measured: Result):
 
 
 def test_counts_agree_with_the_cases(measured: Result, pendulum: Result):
-    root = parsed(junit([measured, pendulum]))
+    root = parsed(junit(unique_views([measured, pendulum])))
     for name, kind in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
         assert int(root.get(name)) == len(root.findall(f".//{kind}"))
     assert int(root.get("tests")) == len(root.findall(".//testcase"))
 
 
 def test_control_characters_do_not_spoil_the_xml():
-    parsed(junit([synthetic_result.result(remarks=["bell \x07 and < & >"])]))
+    parsed(junit(unique_views([synthetic_result.result(remarks=["bell \x07 and < & >"])])))
 
 
 def table_of(result: Result) -> list[list[str]]:
@@ -81,19 +82,19 @@ def test_a_name_with_a_comma_stays_one_column():
 
 
 def test_the_summary_shows_verdict_and_every_criterion(measured: Result):
-    text = summary([measured])
+    text = summary(unique_views([measured]))
     assert "✗ fail" in text
     for criterion in measured.criteria:
         assert criterion.title in text
 
 
 def test_a_bar_in_a_title_does_not_make_a_column():
-    text = summary([synthetic_result.result(title="a | b <b>")])
+    text = summary(unique_views([synthetic_result.result(title="a | b <b>")]))
     assert "a \\| b &lt;b>" in text
 
 
 def test_annotations_name_what_failed_and_escape_what_github_would_read(measured: Result):
-    lines = github_annotations([measured])
+    lines = github_annotations(unique_views([measured]))
     assert any(line.startswith("::error title=pendulum T4%3A fail::T4: 112.4") for line in lines)
     assert any(line.startswith("::warning title=pendulum MCL") for line in lines)
     assert any("ACL" in line and line.startswith("::error") for line in lines)
@@ -101,7 +102,7 @@ def test_annotations_name_what_failed_and_escape_what_github_would_read(measured
 
 
 def test_a_pass_is_not_annotated(pendulum: Result):
-    assert github_annotations([pendulum]) == []
+    assert github_annotations(unique_views([pendulum])) == []
 
 
 def test_render_writes_the_files_of_the_contract(bending: Result, tmp_path: Path):

@@ -11,6 +11,7 @@ from support import synthetic_result
 from certkit.documents.result import Result
 from certkit.reporting.html_report import page, suite_page
 from certkit.reporting.page_data import differences, payload
+from certkit.reporting.result_view import unique_views, view
 
 
 def embedded(html: str) -> list[dict[str, Any]]:
@@ -42,6 +43,14 @@ class Anatomy(HTMLParser):
         ]
 
 
+def page_of(result: Result) -> str:
+    return page(view(result))
+
+
+def suite_of(results: list[Result]) -> str:
+    return suite_page(unique_views(results))
+
+
 def anatomy(html: str) -> Anatomy:
     parser = Anatomy()
     parser.feed(html)
@@ -49,18 +58,18 @@ def anatomy(html: str) -> Anatomy:
 
 
 def test_the_verdict_stands_before_everything_else(pendulum: Result):
-    html = page(pendulum)
+    html = page_of(pendulum)
     assert html.index("<strong>pass</strong>") < html.index("<h2")
 
 
 def test_recalled_corridors_are_said_beside_the_verdict(pendulum: Result):
-    verdict = re.search(r'<section class="verdict.*?</section>', page(pendulum), re.DOTALL)
+    verdict = re.search(r'<section class="verdict.*?</section>', page_of(pendulum), re.DOTALL)
     assert verdict
     assert "not verified against the regulation&#39;s text" in verdict.group()
 
 
 def test_every_criterion_stands_in_the_table_with_value_and_corridor(pendulum: Result):
-    html = page(pendulum)
+    html = page_of(pendulum)
     for criterion in pendulum.criteria:
         assert f">{criterion.id}<" in html
     assert "235 – 272" in html
@@ -68,14 +77,14 @@ def test_every_criterion_stands_in_the_table_with_value_and_corridor(pendulum: R
 
 
 def test_the_page_asks_for_nothing_and_runs_nothing_but_its_own_script(pendulum: Result):
-    parts = anatomy(page(pendulum))
+    parts = anatomy(page_of(pendulum))
     assert all(address.startswith("data:") for address in parts.addresses)
     assert parts.handlers == []
     assert parts.scripts == 1
 
 
 def test_the_policy_forbids_the_network(pendulum: Result):
-    policy = re.search(r'Content-Security-Policy" content="([^"]+)"', page(pendulum))
+    policy = re.search(r'Content-Security-Policy" content="([^"]+)"', page_of(pendulum))
     assert policy
     assert "default-src &#39;none&#39;" in policy.group(1)
     assert "http" not in policy.group(1)
@@ -85,7 +94,7 @@ def test_the_policy_forbids_the_network(pendulum: Result):
 def test_links_inside_the_page_lead_somewhere_and_ids_are_unique(
     pendulum: Result, bending: Result, measured: Result
 ):
-    parts = anatomy(suite_page([pendulum, bending, measured]))
+    parts = anatomy(suite_of([pendulum, bending, measured]))
     assert len(parts.ids) == len(set(parts.ids))
     assert {link[1:] for link in parts.links if link.startswith("#")} <= set(parts.ids)
 
@@ -95,7 +104,7 @@ ATTACK = "</script><script>alert(1)</script>{{ 7*7 }}<img src=x onerror=alert(1)
 
 @pytest.mark.parametrize("field", ["title", "method", "procedure", "decision_rule"])
 def test_text_from_data_is_shown_and_never_run(field: str):
-    html = page(synthetic_result.result(**{field: ATTACK}))
+    html = page_of(synthetic_result.result(**{field: ATTACK}))
     assert "<script>alert(1)" not in html
     assert "<img src=x" not in html
     assert anatomy(html).scripts == 1
@@ -106,32 +115,32 @@ def test_channel_names_from_data_cannot_break_out_of_figures():
     document = synthetic_result.document()
     document["curves"]["series"][ATTACK] = document["curves"]["series"].pop("T1")
     document["motion"]["shapes"][0]["name"] = ATTACK
-    html = page(Result.model_validate(document))
+    html = page_of(Result.model_validate(document))
     assert anatomy(html).scripts == 1
     assert "<img src=x" not in html
 
 
 def test_a_laboratory_logo_that_is_no_picture_is_left_out():
-    html = page(
+    html = page_of(
         synthetic_result.result(laboratory={"name": "L", "logo": "data:text/html;base64,PHNjcmlwdD4="})
     )
     assert "text/html;base64" not in html
 
 
 def test_the_same_result_gives_the_same_bytes(pendulum: Result):
-    assert page(pendulum) == page(synthetic_result.result())
+    assert page_of(pendulum) == page_of(synthetic_result.result())
 
 
 def test_seven_procedures_in_one_file_stay_under_one_and_a_half_megabytes():
     names = [f"procedure {number}" for number in range(7)]
-    html = suite_page([synthetic_result.result(procedure=name) for name in names])
+    html = suite_of([synthetic_result.result(procedure=name) for name in names])
     assert len(html.encode()) < 1_500_000
 
 
 def test_the_suite_has_a_line_with_verdict_margin_and_curve_for_each_procedure(
     pendulum: Result, measured: Result
 ):
-    html = suite_page([pendulum, measured])
+    html = suite_of([pendulum, measured])
     index = html[html.index("plain index") : html.index("<article")]
     assert index.count("<tr>") == 3
     assert "T4: 2.3 N·m inside 90 – 111" in index
@@ -140,7 +149,7 @@ def test_the_suite_has_a_line_with_verdict_margin_and_curve_for_each_procedure(
 
 
 def test_the_same_procedure_twice_gets_two_chapters(pendulum: Result):
-    parts = anatomy(suite_page([pendulum, pendulum]))
+    parts = anatomy(suite_of([pendulum, pendulum]))
     assert {"pendulum", "pendulum-2"} <= set(parts.ids)
 
 
@@ -187,13 +196,13 @@ def test_a_result_with_nothing_but_a_verdict_still_makes_a_page():
         notes=[],
         verdict="not evaluated",
     )
-    html = page(bare)
+    html = page_of(bare)
     assert "<strong>not evaluated</strong>" in html
     assert "No criterion could be graded" in html
 
 
 def test_a_missing_value_is_a_dash_and_its_reason_is_given(measured: Result):
-    html = page(measured)
+    html = page_of(measured)
     row = html[html.index('data-chart="pendulum-chart-ACL"') : html.index('data-chart="pendulum-chart-PCL"')]
     assert '<td class="n" data-label="Value"><b>–</b>' in row
     assert "channel ACL was not recorded" in row

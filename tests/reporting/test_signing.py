@@ -8,7 +8,8 @@ import pytest
 from support import synthetic_result
 
 from certkit.errors import InputError
-from certkit.reporting.pdf_certificate import certificate
+from certkit.reporting.pdf_report import certificate
+from certkit.reporting.result_view import unique_views
 from certkit.reporting.signing import sign
 
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ def test_a_signature_is_valid_and_leaves_what_it_signs_as_it_was(
     from pyhanko_certvalidator import ValidationContext  # noqa: PLC0415  # likewise
 
     monkeypatch.setenv("CERTKIT_PASSPHRASE", "open sesame")
-    pdf = certificate([synthetic_result.static_result()])
+    pdf = certificate(unique_views([synthetic_result.static_result()]))
     signed = sign(pdf, key)
     assert signed.startswith(pdf)
     (embedded,) = PdfFileReader(io.BytesIO(signed)).embedded_signatures

@@ -5,6 +5,7 @@ import io
 import pytest
 
 from certkit.documents.result import CriterionResult, Result
+from certkit.reporting.result_view import unique_views
 from certkit.reporting.text_table import bar, show
 
 
@@ -42,7 +43,7 @@ def test_one_sided_limits_are_drawn_too():
 
 def test_a_pipe_gets_plain_lines_with_verdict_and_criteria(measured: Result):
     stream = io.StringIO()
-    show([measured], stream)
+    show(unique_views([measured]), stream)
     text = stream.getvalue()
     assert "\x1b" not in text
     assert "✗ FAIL" in text
@@ -53,12 +54,12 @@ def test_a_pipe_gets_plain_lines_with_verdict_and_criteria(measured: Result):
 
 def test_several_procedures_end_with_one_line_each(measured: Result, pendulum: Result):
     stream = io.StringIO()
-    show([pendulum, measured], stream)
+    show(unique_views([pendulum, measured]), stream)
     assert stream.getvalue().splitlines()[-1].startswith("✗ fail")
     assert stream.getvalue().splitlines()[-2].startswith("✓ pass")
 
 
 def test_brackets_in_data_are_text(pendulum: Result):
     stream = io.StringIO()
-    show([pendulum.model_copy(update={"title": "[red]odd[/red] [link]"})], stream)
+    show(unique_views([pendulum.model_copy(update={"title": "[red]odd[/red] [link]"})]), stream)
     assert "[red]odd[/red] [link]" in stream.getvalue()

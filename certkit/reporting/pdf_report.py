@@ -9,26 +9,26 @@ import contextlib
 import os
 from dataclasses import dataclass
 from datetime import UTC, date, datetime, time
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 from certkit._version import __version__
 from certkit.errors import UsageError
 from certkit.reporting.attachments import Enclosure, enclosures, manifest
 from certkit.reporting.font_check import check_font
-from certkit.reporting.language import ENGLISH
 from certkit.reporting.pdf_engine import typeset, weasyprint
-from certkit.reporting.result_view import View, unique_views
 from certkit.reporting.templating import fill, text
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from certkit.documents.result import Result
-
-Paper = Literal["A4", "Letter"]
+    from certkit.reporting.report_format import Paper
+    from certkit.reporting.result_view import View
 
 FILE = "report.pdf"
 SUITE_FILE: str | None = "suite.pdf"
+TRANSLATED = True
+REPEATABLE = False  # `verify` compares pages with what is attached to the PDF
 
 FIXED_DATE = datetime(1980, 1, 1, tzinfo=UTC)
 """Date written into a PDF when nobody gave one: the bytes must not depend on the clock."""
@@ -70,20 +70,19 @@ def creation_date(results: Sequence[Result]) -> datetime:
 
 
 def certificate(
-    results: Sequence[Result],
+    views: Sequence[View],
     *,
     paper: Paper = "A4",
     title: str | None = None,
     contents: bool = False,
     created: datetime | None = None,
-    spoken: str = ENGLISH,
 ) -> bytes:
     """Render one certificate, or several bound together.
 
     Parameters
     ----------
-    results : sequence of Result
-        One chapter each.
+    views : sequence of View
+        Results in the language of the pages, one chapter each; the documents inside stay as they are.
     paper : {'A4', 'Letter'}
         Page size.
     title : str, optional
@@ -92,8 +91,6 @@ def certificate(
         Begin with a table of contents.
     created : datetime, optional
         Date that the PDF bears; see `creation_date` for where it comes from otherwise.
-    spoken : str
-        Language of the pages; the documents inside stay as they are.
 
     Returns
     -------
@@ -102,16 +99,17 @@ def certificate(
 
     Raises
     ------
-    RunError
-        When WeasyPrint or the Pango library that it draws text with is missing; says how to install them.
+    MissingPartError
+        When the Pango library that text is drawn with, or a font with the language's signs, is missing; says
+        how to install it.
     """
     weasyprint()  # a missing library or font is said before any work is done
+    spoken = views[0].spoken.code
     check_font(spoken)
-    several = len(results) > 1
-    views = unique_views(results, spoken)
+    several = len(views) > 1
+    results = [shown.document for shown in views]
     chapters = [
-        Chapter(shown, enclosures(result, f"{shown.key}-" if several else ""))
-        for shown, result in zip(views, results, strict=True)
+        Chapter(shown, enclosures(shown.document, f"{shown.key}-" if several else "")) for shown in views
     ]
     parts = [part for chapter in chapters for part in chapter.enclosures]
     listed = manifest(parts, [r.id for r in results], spoken, title)
@@ -119,7 +117,7 @@ def certificate(
     html = fill(
         "certificate.html.j2",
         spoken=spoken,
-        title=title or results[0].title,
+        title=title or views[0].result.title,
         version=__version__,
         created=created.strftime("%Y-%m-%dT%H:%M:%SZ"),
         style=text("styles/certificate.css"),
@@ -131,6 +129,6 @@ def certificate(
     return typeset(html, [*parts, listed], created)
 
 
-def write(results: Sequence[Result], *, title: str | None, paper: Paper, spoken: str) -> bytes:
+def write(views: Sequence[View], *, title: str | None, paper: Paper) -> bytes:
     """Return the PDF of one result, or of a suite with its contents where there is a title."""
-    return certificate(results, paper=paper, title=title, contents=title is not None, spoken=spoken)
+    return certificate(views, paper=paper, title=title, contents=title is not None)
