@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+from certkit.reporting.figure_list import help_text
 
 Document = Annotated[Path, typer.Argument(metavar="RESULT.json", help="Result document.")]
 
@@ -19,12 +20,7 @@ def figure(
         str,
         typer.Option(
             "--what",
-            help=(
-                "corridor: criteria in their corridors; history: channels over time; frames: the rig at "
-                "a few instants; table: the error table; errors: its bars; curve: curves of static tests; "
-                "energy: energies over time. Of an extraction.json: momentum, impulse, force, stiffness, "
-                "material."
-            ),
+            help=help_text(),
         ),
     ] = "corridor",
     formats: Annotated[str, typer.Option("--format", help="svg, png, or both with a comma.")] = "svg",

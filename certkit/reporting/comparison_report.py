@@ -8,7 +8,7 @@ from certkit.files import write_whole
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.lines import lines_chart
 from certkit.reporting.plaintext import aligned
-from certkit.reporting.static_page import sheet
+from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -36,7 +36,7 @@ def render_comparison(document: ComparisonDocument, out: Path, formats: Collecti
 def comparison_page(document: ComparisonDocument) -> str:
     """Return the page."""
     drawings = [_overlay(overlay, document) for overlay in document.overlays]
-    return sheet("comparison.html.j2", document.title, doc=document, drawings=drawings)
+    return static_page("comparison.html.j2", document.title, doc=document, drawings=drawings)
 
 
 def _overlay(overlay: Overlay, document: ComparisonDocument) -> Drawing:

@@ -10,7 +10,7 @@ from certkit.files import write_whole
 from certkit.reporting import palette
 from certkit.reporting.number_format import named, plain
 from certkit.reporting.scales import Scale, span, ticks
-from certkit.reporting.static_page import sheet
+from certkit.reporting.static_page import static_page
 from certkit.reporting.svg import Drawing, label, path, tag
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def logbook_page(legs: Sequence[LegOverview]) -> str:
         (leg, [(trend, control_chart(trend) if trend.count > 1 else "") for trend in leg.trends])
         for leg in legs
     ]
-    return sheet("logbook.html.j2", title, legs=shown)
+    return static_page("logbook.html.j2", title, legs=shown)
 
 
 def control_chart(trend: Trend) -> Drawing:

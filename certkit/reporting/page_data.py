@@ -6,10 +6,10 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from certkit.reporting import number_format as words
+from certkit.reporting.channel_order import ordered_channels
 from certkit.reporting.charts.channel_history import history_frame, times
 from certkit.reporting.charts.motion_frames import FILL, bounds, largest_moment
 from certkit.reporting.criterion_row import slug
-from certkit.reporting.result_view import ordered_channels
 
 if TYPE_CHECKING:
     from certkit.documents.result import Motion, Result

@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from certkit.reporting import number_format as words
+from certkit.reporting.channel_order import ordered_channels
 from certkit.reporting.criterion_row import Row, criterion_row, figure_of, slug
 from certkit.reporting.laboratory_view import LaboratoryView, laboratory_view
 from certkit.reporting.language import ENGLISH, Language, language, worded
@@ -153,7 +154,7 @@ class View:
     @cached_property
     def energies(self) -> Drawing | None:
         """Energies over time."""
-        from certkit.reporting.charts.lines import energies_chart  # noqa: PLC0415  # likewise
+        from certkit.reporting.charts.energies import energies_chart  # noqa: PLC0415  # likewise
 
         return energies_chart(self.result.energies) if self.result.energies else None
 
@@ -163,18 +164,6 @@ class View:
         from certkit.reporting.vehicle_front_view import front_view  # noqa: PLC0415  # likewise
 
         return front_view(self.result.front)
-
-
-def ordered_channels(result: Result) -> dict[str, CriterionResult | None]:
-    """Return the channels to draw: those of criteria first, in the criteria's order, then the others."""
-    if result.curves is None:
-        return {}
-    series = result.curves.series
-    chosen: dict[str, CriterionResult | None] = {}
-    for criterion in result.criteria:
-        if criterion.channel in series and (criterion.channel not in chosen):
-            chosen[criterion.channel] = criterion
-    return chosen | {name: None for name in series if name not in chosen}
 
 
 def view(result: Result, *, suffix: str = "", spoken: str = ENGLISH) -> View:

@@ -11,8 +11,8 @@ from certkit.reporting.html_report import page_style
 from certkit.reporting.templating import fill
 
 
-def sheet(template: str, title: str, **values: Any) -> str:  # noqa: ANN401  # templates take anything
-    """Fill a template that extends `sheet.html.j2`.
+def static_page(template: str, title: str, **values: Any) -> str:  # noqa: ANN401  # templates take anything
+    """Fill a template that extends `static-page.html.j2`.
 
     Parameters
     ----------

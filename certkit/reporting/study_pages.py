@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from certkit.files import write_whole
 from certkit.reporting.charts.study_charts import dots, tornado
-from certkit.reporting.static_page import sheet
+from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -44,7 +44,7 @@ def _written(path: Path, page: str) -> list[Path]:
 
 def study_page(document: StudyReport) -> str:
     """Return the page of a study: what moves what, by how much, in which direction."""
-    return sheet(
+    return static_page(
         "study.html.j2",
         document.title,
         study=document,
@@ -105,7 +105,7 @@ def optimum_page(document: OptimumReport) -> str:
         for factor in document.factors
     ]
     units = {value.name: value.unit for value in document.outputs}
-    return sheet(
+    return static_page(
         "optimum.html.j2",
         document.title,
         optimum=document,
@@ -116,4 +116,4 @@ def optimum_page(document: OptimumReport) -> str:
 
 def calibration_page(document: CalibrationReport) -> str:
     """Return the page of a calibration: values before and after, and how well each parameter is known."""
-    return sheet("fit.html.j2", document.title, fit=document)
+    return static_page("fit.html.j2", document.title, fit=document)

@@ -12,10 +12,10 @@ from certkit.documents.result import CriterionResult, Result
 from certkit.errors import UsageError
 from certkit.reporting import figure, palette
 from certkit.reporting.charts.channel_history import history_chart
-from certkit.reporting.charts.grid import sheet
+from certkit.reporting.charts.grid import side_by_side
 from certkit.reporting.charts.motion_frames import key_frames
 from certkit.reporting.charts.position import position_bar
-from certkit.reporting.figures import WHAT
+from certkit.reporting.figure_list import FIGURES
 from certkit.reporting.scales import Scale, span, thinned, ticks
 from certkit.reporting.svg import Drawing
 
@@ -136,7 +136,7 @@ def test_key_frames_begin_at_the_start_and_show_the_largest_moment(pendulum: Res
     assert len(frames) <= 6
 
 
-@pytest.mark.parametrize("what", [name for name in WHAT if name != "curve"])
+@pytest.mark.parametrize("what", [name for name in FIGURES["certkit-result/1"] if name != "curve"])
 def test_each_figure_is_a_picture_with_words_for_those_who_cannot_see_it(pendulum: Result, what: str):
     root = parsed(figure(pendulum, what))
     assert root.get("role") == "img"
@@ -195,7 +195,7 @@ def test_only_figures_with_a_time_axis_take_a_second_result(pendulum: Result) ->
 
 def test_a_drawing_placed_in_another_keeps_its_size():
     small = Drawing(30.0, 20.0, "", "small & round")
-    first, second = parsed(sheet([small, small], "two")).findall("{*}svg")
+    first, second = parsed(side_by_side([small, small], "two")).findall("{*}svg")
     assert [(e.get("width"), e.get("height"), e.get("y")) for e in (first, second)] == [("30", "20", "0")] * 2
     assert float(second.get("x")) >= float(first.get("x")) + 30.0
     assert first.get("aria-label") == "small & round"

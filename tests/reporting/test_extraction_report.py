@@ -12,8 +12,10 @@ from certkit.documents.extraction import ClosureResult, GroupResult, LawResult, 
 from certkit.errors import UsageError
 from certkit.identification import ExtractionResult
 from certkit.reporting import render_extraction
-from certkit.reporting.extraction_report import EXTRACTION_FIGURES, extraction_drawing, extraction_page
+from certkit.reporting.extraction_report import extraction_page
 from certkit.reporting.figure_files import figure_files
+from certkit.reporting.figure_list import FIGURES
+from certkit.reporting.figures import drawn
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -112,16 +114,16 @@ def test_a_path_that_never_pushed_is_listed_but_not_drawn(extraction: Extraction
     assert "<h2>idle</h2>" not in html
 
 
-@pytest.mark.parametrize("what", EXTRACTION_FIGURES)
+@pytest.mark.parametrize("what", FIGURES["certkit-extraction/1"])
 def test_each_figure_of_the_paper_can_be_drawn(extraction: ExtractionResult, what: str) -> None:
-    drawing = str(extraction_drawing(extraction, what, []))
+    drawing = str(drawn(extraction, what))
     assert drawing
     assert any(CURVE_CLASS in (e.get("class") or "") for e in parsed(drawing).iter())
 
 
 def test_a_path_that_is_not_there_is_named(extraction: ExtractionResult) -> None:
     with pytest.raises(UsageError, match="no load path `roof`; there are foam, idle"):
-        extraction_drawing(extraction, "force", ["roof"])
+        drawn(extraction, "force", ["roof"])
 
 
 def test_the_pdf_carries_the_extraction_it_shows(extraction: ExtractionResult, tmp_path: Path) -> None:
@@ -140,5 +142,5 @@ def test_the_figure_command_tells_an_extraction_from_a_result(
     name, contents = figure_files(document, "stiffness", ["svg"], channels=["foam"])
     assert name == "bumper"
     assert contents["svg"].startswith(b"<svg")
-    with pytest.raises(UsageError, match="an extraction has no figure `corridor`"):
+    with pytest.raises(UsageError, match="unknown figure `corridor` of a"):
         figure_files(document, "corridor", ["svg"])

@@ -9,13 +9,22 @@ from certkit.reporting.number_format import fixed
 from certkit.reporting.svg import Drawing, label, tag
 
 if TYPE_CHECKING:
-    from certkit.documents.result import Comparison
+    from collections.abc import Sequence
+
+    from certkit.documents.result import Comparison, Result
 
 _FILLS = (
     ("test", "#3a3f45", "b0"),
     ("simulation", "#0072b2", "b1"),
     ("published simulation", "#9cc6e2", "b2"),
 )
+
+
+def draw(result: Result, names: Sequence[str]) -> Drawing | None:
+    """Draw the figure of a result; None where it was compared with nothing."""
+    del names
+    comparison = result.comparison
+    return errors_chart(comparison) if comparison and comparison.rows else None
 
 
 def errors_chart(comparison: Comparison, *, width: float = 740, height: float = 230) -> Drawing:

@@ -1,4 +1,4 @@
-"""Several figures on one sheet, in columns."""
+"""Several figures in one drawing, in columns."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 GAP = 16.0
 
 
-def sheet(drawings: Sequence[Drawing], title: str, *, columns: int = 2) -> Drawing:
+def side_by_side(drawings: Sequence[Drawing], title: str, *, columns: int = 2) -> Drawing:
     """Put drawn figures side by side, row by row, into one drawing."""
     columns = max(1, min(columns, len(drawings)))
     widths = [max((d.width for d in drawings[c::columns]), default=0.0) for c in range(columns)]
@@ -24,3 +24,10 @@ def sheet(drawings: Sequence[Drawing], title: str, *, columns: int = 2) -> Drawi
             x += widths[column] + GAP
         y += max(drawing.height for drawing in row) + GAP
     return Drawing(sum(widths) + GAP * (columns - 1), max(y - GAP, 1.0), "".join(placed), title)
+
+
+def together(drawings: Sequence[Drawing], title: str) -> Drawing | None:
+    """Return one drawing as it is, several side by side, and None where there is none."""
+    if len(drawings) < 2:
+        return drawings[0] if drawings else None
+    return side_by_side(drawings, title)

@@ -1,18 +1,13 @@
-"""Several channels in one plot, told apart by colour and dash; used for energies and overlays."""
+"""Several curves in one plot, told apart by colour and dash."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.axes import Frame
 from certkit.reporting.scales import span, traced
 from certkit.reporting.svg import Drawing, label, path, tag
-
-if TYPE_CHECKING:
-    from certkit.documents.result import Histories
 
 Line = tuple[str, Sequence[float], Sequence[float]]
 """Name, abscissae, ordinates."""
@@ -81,20 +76,3 @@ def _legend(lines: Sequence[Line], title: str, width: float) -> list[tuple[int, 
         found.append((row, place))
         place += length
     return found
-
-
-def energies_chart(energies: Histories) -> Drawing | None:
-    """Draw where the energy went; forms that stay under a hundredth of the largest are named, not drawn."""
-    if energies.count < 2 or not energies.series:
-        return None
-    axis = [(energies.start + index * energies.interval) * 1e3 for index in range(energies.count)]
-    sizes = {
-        name: max((abs(v) for v in series.values), default=0.0) for name, series in energies.series.items()
-    }
-    least = 0.01 * max(sizes.values())
-    lines = [(s.title, axis, s.values) for name, s in energies.series.items() if sizes[name] >= least]
-    small = [s.title for name, s in energies.series.items() if sizes[name] < least]
-    title = "Energy"
-    drawing = lines_chart(lines, title, "ms", next(iter(energies.series.values())).unit)
-    note = f"{title} in J; under one hundredth of the largest and not drawn: {', '.join(small)}"
-    return replace(drawing, title=f"{note}; {drawing.title}") if small else drawing

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
+from certkit.reporting.charts.grid import side_by_side
 from certkit.reporting.number_format import fixed, plain
 from certkit.reporting.scales import Scale
 from certkit.reporting.svg import Drawing, label, path, tag
@@ -13,7 +14,7 @@ from certkit.reporting.svg import Drawing, label, path, tag
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.documents.result import Motion, Shape
+    from certkit.documents.result import Motion, Result, Shape
 
 FILL = {
     "bone": "#e8e6e0",
@@ -27,6 +28,29 @@ FILL = {
 _ORDER = ("rig", "flesh", "mass", "knee", "bone", "ram", "vehicle")
 """From back to front. What the leg crushes is drawn in front of it and half seen through."""
 _SEEN_THROUGH = {"ram": 0.7, "vehicle": 0.7}
+
+
+def draw(result: Result, names: Sequence[str]) -> Drawing | None:
+    """Draw the figure of a result; None where no motion was recorded."""
+    del names
+    motion = result.motion
+    return frames_chart(motion) if motion and motion.poses else None
+
+
+def draw_beside(result: Result, beside: Result, names: Sequence[str]) -> Drawing | None:
+    """Draw the key frames of two results, one row each, at the same instants."""
+    del names
+    first, second = result.motion, beside.motion
+    if not (first and first.poses and second and second.poses):
+        return None
+    shared = sum(t <= second.times[-1] + 1e-9 for t in first.times)
+    frames = key_frames(
+        first.model_copy(update={"poses": first.poses[:shared], "moments": first.moments[:shared]})
+    )
+    instants = [first.times[frame] for frame in frames]
+    nearest = [min(range(len(second.times)), key=lambda i: abs(second.times[i] - t)) for t in instants]
+    rows = [frames_chart(first, frames), frames_chart(second, nearest)]
+    return side_by_side(rows, f"{result.title} and {beside.title} at the same instants", columns=1)
 
 
 def placed(shape: Shape, pose: tuple[float, float, float]) -> list[tuple[float, float]]:

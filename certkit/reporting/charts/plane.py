@@ -6,11 +6,22 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.axes import Frame
+from certkit.reporting.charts.chosen import chosen
+from certkit.reporting.charts.grid import together
 from certkit.reporting.scales import span
 from certkit.reporting.svg import Drawing, label, path, tag
 
 if TYPE_CHECKING:
-    from certkit.documents.result import CurveInPlane
+    from collections.abc import Sequence
+
+    from certkit.documents.result import CurveInPlane, Result
+
+
+def draw(result: Result, names: Sequence[str]) -> Drawing | None:
+    """Draw the curves of a result's criteria, all or those that are named."""
+    curves = {c.id: (c.curve, c.title) for c in result.criteria if c.curve}
+    drawings = [plane_chart(*curves[name]) for name in chosen(names, curves)]
+    return together(drawings, f"Curves of {result.title}")
 
 
 def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: float = 240) -> Drawing:
