@@ -132,7 +132,7 @@ def set_up(sheet: Study, library: Sequence[Path] = ()) -> tuple[Trial, list[Fact
     bare = Trial(
         tuple(sheet.procedures), fixed={path: str(value) for path, value in sheet.set.items()}, library=names
     )
-    nominals = bare.nominals()
+    nominals = bare.nominals(parameter.name for parameter in sheet.parameters)
     factors = [factor_of(parameter, nominals) for parameter in sheet.parameters]
     trial = replace(bare, units={f.name: f.unit for f in factors})
     middle = {factor.name: factor.middle for factor in factors}

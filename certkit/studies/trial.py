@@ -11,12 +11,14 @@ from typing import TYPE_CHECKING
 
 import certkit
 from certkit.bench.setup import PACKAGES, Setup, prepare
+from certkit.definitions.loading.kinds import kind_of
+from certkit.definitions.loading.old_forms import path_of_today
 from certkit.grading import grade_criteria, grade_quality, measure_all, overall
 from certkit.signals import Filtered
 from certkit.studies.quantity import written
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
 
     from certkit.studies.points import Outputs, Point
     from certkit.studies.recorded_curve import RecordedCurve
@@ -131,8 +133,14 @@ class Trial:
                     )
         return units
 
-    def nominals(self) -> dict[str, str]:
-        """Return the values in the definitions by parameter name, as written there."""
+    def nominals(self, names: Iterable[str] = ()) -> dict[str, str]:
+        """Return the values in the definitions by parameter name, as written there.
+
+        Parameters
+        ----------
+        names : iterable of str
+            Parameters that may have old paths; their values are found under these as well.
+        """
         found: dict[str, str] = {}
         for name in self.procedures:
             setup = self.prepared(name, {})
@@ -142,7 +150,28 @@ class Trial:
                     path = prefix + entry[0]
                     found[f"{name}/{path}"] = entry[1]
                     found.setdefault(path, entry[1])
+        for name in names:
+            if name not in found and (value := found.get(self.today(name))) is not None:
+                found[name] = value
         return found
+
+    def today(self, name: str) -> str:
+        """Return a parameter's name with the path of today; see `certkit.definitions.loading.old_forms`.
+
+        Raises
+        ------
+        UsageError
+            When the definitions have no such path.
+        """
+        scope, path = scoped(name)
+        setup = self.prepared(scope or self.procedures[0], {})
+        role = next((kind for kind in ("legform", "vehicle") if path.startswith(f"{kind}.")), "procedure")
+        prefix = "" if role == "procedure" else f"{role}."
+        files = [item for item in setup.inputs if item.role == role]
+        if not files:
+            return name
+        words = path_of_today(kind_of(role), files[0].text or "", files[0].path, path.removeprefix(prefix))
+        return (f"{scope}/" if scope else "") + prefix + words
 
 
 def scoped(name: str) -> tuple[str, str]:

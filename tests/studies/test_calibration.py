@@ -10,8 +10,9 @@ import pytest
 
 from certkit.definitions.calibration import CalibrationTask
 from certkit.definitions.loading.library import load
+from certkit.definitions.study import Study
 from certkit.documents.rounding import rounded
-from certkit.errors import UsageError
+from certkit.errors import OldFormWarning, UsageError
 from certkit.studies.calibration.basins import spread_places
 from certkit.studies.calibration.fit import make_ready
 from certkit.studies.calibration.identifiability import LEARNT, knowledge
@@ -19,6 +20,7 @@ from certkit.studies.calibration.leg_family import extent, passes
 from certkit.studies.calibration.parameter_space import Axis, Space
 from certkit.studies.calibration.run_calibration import carry_and_write
 from certkit.studies.points import Outcome
+from certkit.studies.study_findings import set_up
 from certkit.studies.trial import Trial
 
 if TYPE_CHECKING:
@@ -71,6 +73,33 @@ def test_a_fit_comes_nearer_and_its_files_give_what_it_says(tmp_path: Path) -> N
     outputs = again.trial(again.space.point(again.space.start))
     for value in report["values"]:
         assert rounded(outputs[value["name"]]) == value["after"]
+
+
+def old_paths() -> CalibrationTask:
+    """Return the fit of one number as it was written when a legform's parts stood at the top of its file."""
+    parameter = {
+        **SHEET["parameters"][0],
+        "path": "legform.femur.bending stiffness",
+        "with": ["legform.tibia.bending stiffness"],
+    }
+    return changed(parameters=[parameter], search={"generations": 0, "steps": 1, "pull": 0.0})
+
+
+def test_a_fit_with_old_paths_writes_files_with_the_paths_of_today(tmp_path: Path) -> None:
+    with pytest.warns(OldFormWarning) as told:
+        carry_and_write(make_ready(old_paths()), tmp_path, processes=1)
+    assert any("write `legform.parts.femur.bending stiffness`" in str(remark.message) for remark in told)
+    leg = load("legform", tmp_path / "flex-pli-gtr.yaml")
+    assert leg.remarks == ()
+    assert leg.document.parts["femur"].bending_stiffness.confidence == "calibrated"
+    assert leg.document.parts["femur"].bending_stiffness == leg.document.parts["tibia"].bending_stiffness
+
+
+def test_an_old_path_in_a_family_is_written_as_that_of_today() -> None:
+    task = make_ready(changed())
+    with pytest.warns(OldFormWarning):
+        assert task.trial.today("legform.femur.mass") == "legform.parts.femur.mass"
+    assert task.trial.today("inverse/rig.ram.width on knee") == "inverse/rig.ram.width on knee"
 
 
 def test_an_interrupted_fit_ends_where_an_uninterrupted_one_ends(tmp_path: Path) -> None:
@@ -198,3 +227,12 @@ def test_a_fit_that_makes_no_sense_is_refused_before_anything_is_run(
 ) -> None:
     with pytest.raises(UsageError, match=message):
         make_ready(changed(**parts))
+
+
+def test_a_share_of_a_value_with_an_old_path_is_a_share_of_that_value() -> None:
+    parameters = [{"path": "legform.femur.mass", "uniform": "10 %"}]
+    document = {"study": "s", "title": "t", "procedures": ["inverse"], "parameters": parameters}
+    with pytest.warns(OldFormWarning, match=r"write `legform\.parts\.femur\.mass`"):
+        trial, (factor,) = set_up(Study.model_validate({**document, "design": {"kind": "one at a time"}}))
+    mass = float(trial.nominals()["legform.parts.femur.mass"].split()[0])
+    assert (factor.distribution.low, factor.distribution.high) == pytest.approx((0.9 * mass, 1.1 * mass))

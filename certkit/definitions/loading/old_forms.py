@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.loading.error_messages import plain
+from certkit.definitions.loading.overrides import words_of
 from certkit.definitions.loading.search_path import shipped_root
 from certkit.definitions.loading.yaml_reader import Tree, read_tree
 from certkit.errors import OldFormWarning
@@ -87,6 +88,27 @@ def modernised(
     for remark in remarks:
         warnings.warn(remark, OldFormWarning, stacklevel=2)
     return tree, changed, tuple(remarks)
+
+
+def path_of_today(kind: Kind, text: str, file: str, path: str) -> str:
+    """Return today's path of a value in a file; an old one is told by a warning.
+
+    Parameters
+    ----------
+    kind : Kind
+        Of the file.
+    text, file : str
+        What it says, in an old form or today's, and its name for messages.
+    path : str
+        Inside the file, without the kind before it: `femur.mass`, `parts.femur.mass`.
+
+    Raises
+    ------
+    UsageError
+        When there is no such value; names the nearest one.
+    """
+    tree, paths, _ = modernised(kind, read_tree(text.encode(), file), {path: None})
+    return words_of(next(iter(paths)), tree.data, kind.model)
 
 
 def _new(steps: Steps, moves: Mapping[Steps, Steps]) -> Steps:

@@ -135,6 +135,17 @@ def change(
     return replace(tree, data=data, changed=changed), tuple(changes)
 
 
+def words_of(path: str, data: Any, model: type[BaseModel]) -> str:  # noqa: ANN401  # raw YAML data
+    """Return a path in the words of today, with names instead of numbers.
+
+    Raises
+    ------
+    UsageError
+        When it does not exist; names the nearest one.
+    """
+    return _find(path, data, model).words
+
+
 def known_paths(data: Any, shape: FieldType, prefix: str = "") -> Iterator[str]:  # noqa: ANN401  # raw YAML data
     """Yield the paths of all values that a definition has or could have."""
     for name, entry in _below(data, shape).items():

@@ -114,7 +114,7 @@ def make_ready(document: CalibrationTask | str | Path, library: Sequence[Path] =
         fixed={"legform": sheet.legform},
         library=tuple(str(Path(folder)) for folder in library),
     )
-    space = space_of(sheet.parameters, trial.nominals())
+    space = space_of(sheet.parameters, trial.nominals(p.name for p in sheet.parameters))
     curves = recorded_curves([target for target in sheet.targets if target.to == "recording"], folder)
     trial = replace(trial, units={axis.name: axis.unit for axis in space.axes}, curves=tuple(curves.values()))
     start = space.point(space.start)

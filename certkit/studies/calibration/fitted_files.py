@@ -11,6 +11,7 @@ import yaml
 from certkit._version import __version__
 from certkit.definitions.loading.kinds import kind_of
 from certkit.definitions.loading.library import find
+from certkit.definitions.loading.old_forms import modernised
 from certkit.definitions.loading.overrides import ORIGIN, change
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.calibration_report import (
@@ -29,6 +30,7 @@ from certkit.studies.quantity import written
 from certkit.studies.trial import scoped
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
     from numpy.typing import NDArray
@@ -63,6 +65,7 @@ def write_fit(calibration: Calibration, folder: Path) -> list[Path]:
 def write_family(calibration: Calibration, members: NDArray[Any], path: Path) -> None:
     """Write the family's file; members are numbered from 1."""
     sheet = calibration.task.sheet
+    today = {path: calibration.task.trial.today(path) for path, _ in changes(calibration, calibration.shares)}
     document = {
         "family": sheet.legform,
         "title": f"{len(members)} legs that pass as {sheet.legform} does",
@@ -74,7 +77,7 @@ def write_family(calibration: Calibration, members: NDArray[Any], path: Path) ->
         "members": [
             {
                 "id": f"{number:02d}",
-                **_member(calibration, row),
+                **_member(calibration, row, today),
             }
             for number, row in enumerate(members, 1)
         ],
@@ -86,12 +89,12 @@ def write_family(calibration: Calibration, members: NDArray[Any], path: Path) ->
     write_whole(path, head + _yaml(document))
 
 
-def _member(calibration: Calibration, row: NDArray[Any]) -> dict[str, Any]:
-    """Sort what a member has different by legform and rigs."""
+def _member(calibration: Calibration, row: NDArray[Any], today: Mapping[str, str]) -> dict[str, Any]:
+    """Sort what a member has different by legform and rigs, under the paths of today."""
     values: dict[str, str] = {}
     rigs: dict[str, dict[str, str]] = {}
     for path, value in changes(calibration, row):
-        scope, inner = scoped(path)
+        scope, inner = scoped(today[path])
         if scope:
             rigs.setdefault(scope, {})[inner] = value
         else:
@@ -176,7 +179,9 @@ def report(calibration: Calibration, members: NDArray[Any] | None = None) -> Cal
 def _document(calibration: Calibration, kind: str, name: str, overrides: Overrides) -> str:
     known = kind_of(kind)
     found = find(known, name, [_folder(path) for path in calibration.task.trial.library])
-    tree, _ = change(read_tree(found.data, found.label), overrides, known.model)
+    # Written in the form of today, whatever form the file and the fit's paths have.
+    tree, overrides, _ = modernised(known, read_tree(found.data, found.label), overrides)
+    tree, _ = change(tree, overrides, known.model)
     data = _sourced(tree.data, {"source": _source(calibration), "confidence": "calibrated"})
     head = f"# Written by `certkit calibrate` from {found.label} and the fit {calibration.task.sheet.fit}.\n"
     return head + _yaml(data)
