@@ -214,7 +214,7 @@ def test_a_logarithmic_axis_goes_by_ratios_and_back() -> None:
     [
         (
             {"parameters": [{**SHEET["parameters"][0], "path": "legform.parts.femur.stiffness"}]},
-            "no number of this path",
+            r"did you mean `parts\.femur\.joint\.stiffness`",
         ),
         ({"parameters": [{**SHEET["parameters"][0], "lower": "240 N·m²"}]}, "outside its bounds"),
         ({"parameters": [{**SHEET["parameters"][0], "lower": "100 N"}]}, "in N"),
