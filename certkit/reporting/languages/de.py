@@ -162,7 +162,6 @@ WORDS = MappingProxyType(
         "part": "Teil",
         "polygon": "Polygon",
         "read in an account of it": "in einer Darstellung gelesen",
-        "read in somebody's account of it": "in einer Darstellung Dritter gelesen",
         "read in the named text": "im genannten Text gelesen",
         "recalled": "erinnert",
         "received, J": "erhalten, J",

@@ -162,7 +162,6 @@ WORDS = MappingProxyType(
         "part": "部位",
         "polygon": "多角形",
         "read in an account of it": "解説で読んだもの",
-        "read in somebody's account of it": "二次資料で確認",
         "read in the named text": "原文で確認",
         "recalled": "記憶",
         "received, J": "受領, J",
