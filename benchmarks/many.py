@@ -9,6 +9,7 @@ from clock import Row, exponent
 
 from certkit.definitions.study import Study
 from certkit.studies.designs import latin_hypercube
+from certkit.studies.execution import Execution
 from certkit.studies.runs import Runs
 from certkit.studies.study_findings import set_up
 
@@ -37,7 +38,7 @@ def rows() -> Iterator[Row]:
     points = latin_hypercube(factors, RUNS, 1)
     seconds, outcomes = {}, {}
     for processes in (1, 2):
-        with Runs(trial, processes=processes) as runs:
+        with Runs(trial, Execution(processes=processes)) as runs:
             runs(points[:20])  # warm the workers
             start = time.perf_counter()
             outcomes[processes] = runs(points[20:])
@@ -50,7 +51,7 @@ def rows() -> Iterator[Row]:
     )
     sizes, times = [25, 50, 100, 200], []
     for size in sizes:
-        with Runs(trial, processes=1) as runs:
+        with Runs(trial, Execution(processes=1)) as runs:
             start = time.process_time()
             runs(points[:size])
             times.append(time.process_time() - start)

@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING
 from certkit.definitions.loading.validation import read_document
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.errors import UsageError
-from certkit.logbooks import Logbook, add, overview, shipped_rules
+from certkit.logbooks import Logbook, add, overview, rebuild, shipped_rules
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from certkit.documents.logbook_overview import LegOverview
+    from certkit.logbooks.logbook_entry import LogbookEntry
 
 FOLDER = "logbook"
 
@@ -65,6 +66,31 @@ def _rules(named: Path) -> LogbookRules:
     if named.suffix or named.exists():
         return read_document(named, LogbookRules)
     return shipped_rules(str(named))
+
+
+def add_tests(
+    tests: Sequence[str | Path], folder: str | Path = FOLDER
+) -> tuple[list[LogbookEntry], list[LogbookEntry]]:
+    """Put tests into a logbook; return the entries that are new, and those that it had already.
+
+    Parameters
+    ----------
+    tests : sequence of str or Path
+        `result.json` of graded tests, or folders of their runs.
+    folder : str or Path
+        Of the logbook; made with the first test.
+
+    Raises
+    ------
+    DataError
+        When a test is damaged, was changed, or names no legform and day.
+    """
+    return add(Logbook(Path(folder)), [Path(path) for path in tests])
+
+
+def rebuild_index(folder: str | Path = FOLDER) -> int:
+    """Make a logbook's index again from its documents; return how many tests it has."""
+    return rebuild(Logbook(Path(folder)))
 
 
 def _day(text: str) -> date:

@@ -43,9 +43,9 @@ def run_family(
         The nominal leg's, each criterion with its spread over the certified legs.
     """
     nominal = run(procedure, library=library, overrides=overrides)
-    kin = load("family", family or _legform_of(procedure, library, overrides), library=library).document
+    legs = load("family", family or _legform_of(procedure, library, overrides), library=library).document
     results = [nominal]
-    for member in kin.members:
+    for member in legs.members:
         if step is not None:
             step(member.id)
         changed = {**member.overrides(nominal.procedure), **(overrides or {})}

@@ -42,14 +42,11 @@ def calibrate(
     """
     from certkit.cli.counting import resumable  # noqa: PLC0415  # waits until a fit is run
     from certkit.reporting.study_text import calibration_text  # noqa: PLC0415  # likewise
-    from certkit.studies.calibration.fit import make_ready  # noqa: PLC0415  # likewise
-    from certkit.studies.calibration.run_calibration import carry_and_write  # noqa: PLC0415  # waits until a fit is run
-    from certkit.studies.journal import forget  # noqa: PLC0415  # likewise
+    from certkit.studies.calibration.calibrate_legform import calibrate as fit  # noqa: PLC0415  # likewise
+    from certkit.studies.calibration.calibrate_legform import fit_sheet  # noqa: PLC0415  # likewise
 
-    task = make_ready(document, tuple(library or ()))
-    folder = out or Path("runs") / f"fit-{task.sheet.fit}"
-    if fresh:
-        forget(folder / "runs.jsonl")
+    sheet = fit_sheet(document, tuple(library or ()))
+    folder = out or Path("runs") / f"fit-{sheet.fit}"
     watched = not (quiet or as_json)
 
     def tell(words: str) -> None:
@@ -60,14 +57,24 @@ def calibrate(
             sys.stderr.flush()
 
     with resumable():
-        written, report = carry_and_write(
-            task, folder, family=family, processes=processes, cluster=cluster, tell=tell, force=force
+        found = fit(
+            document,
+            out=folder,
+            family=family,
+            fresh=fresh,
+            library=library or (),
+            processes=processes,
+            cluster=cluster,
+            tell=tell,
+            force=force,
         )
     if watched and sys.stderr.isatty():
         sys.stderr.write("\r\033[K")
-    typer.echo(report.to_json() if as_json else calibration_text(report), nl=not as_json)
+    if found.report is not None:
+        text = found.report.to_json() if as_json else calibration_text(found.report)
+        typer.echo(text, nl=not as_json)
     if not as_json:
-        for path in written:
+        for path in found.files:
             typer.echo(f"wrote {path}", err=True)
-        procedure = task.sheet.targets[0].procedure
+        procedure = sheet.targets[0].procedure
         typer.echo(f"try it: certkit run {procedure} --library {folder}", err=True)

@@ -28,10 +28,9 @@ DEFAULT = Path("logbook")
 @app.command("add")
 def add(documents: Documents, *, logbook: Folder = DEFAULT) -> None:
     """Put graded tests into the logbook; those that it has already are left alone."""
-    from certkit.logbooks.logbook_store import Logbook  # noqa: PLC0415  # waits until it is needed
-    from certkit.logbooks.logbook_store import add as put  # noqa: PLC0415  # likewise
+    from certkit.bench.legform_logbook import add_tests  # noqa: PLC0415  # waits until it is needed
 
-    new, known = put(Logbook(logbook), documents)
+    new, known = add_tests(documents, logbook)
     for entry in new:
         typer.echo(f"{entry.day} {entry.serial} {entry.procedure} {entry.verdict} {entry.id}")
     if known:
@@ -84,7 +83,6 @@ def show(
 @app.command("rebuild")
 def rebuild(*, logbook: Folder = DEFAULT) -> None:
     """Make the index again from the documents in the logbook's folder; it also mends itself."""
-    from certkit.logbooks.logbook_store import Logbook  # noqa: PLC0415  # waits until it is needed
-    from certkit.logbooks.logbook_store import rebuild as build  # noqa: PLC0415  # likewise
+    from certkit.bench.legform_logbook import rebuild_index  # noqa: PLC0415  # waits until it is needed
 
-    typer.echo(f"{build(Logbook(logbook))} tests", err=True)
+    typer.echo(f"{rebuild_index(logbook)} tests", err=True)

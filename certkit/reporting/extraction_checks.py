@@ -6,7 +6,7 @@ from bisect import bisect_right
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from certkit.reporting.charts.grid import sheet as side_by_side
+from certkit.reporting.charts.grid import side_by_side
 from certkit.reporting.charts.lines import Line, lines_chart
 
 if TYPE_CHECKING:

@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING
 from certkit.definitions.loading.library import load
 from certkit.definitions.study import Study
 from certkit.studies import study_findings
+from certkit.studies.execution import Execution
 from certkit.studies.journal import forget
 from certkit.studies.run_study import JOURNAL, carry_and_write, optimise_and_write, optimum
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from certkit.studies.execution import Progress
     from certkit.studies.optimise import Optimum
-    from certkit.studies.runs import Progress
     from certkit.studies.study_findings import Findings
 
 
@@ -67,9 +68,10 @@ def study(  # noqa: PLR0913  # as many as the command has options
     """
     folders = [Path(each) for each in ([library] if isinstance(library, (str, Path)) else library)]
     sheet = study_sheet(document, folders)
+    execution = Execution(processes, cluster, progress)
     if out is None:
         search = optimum if sheet.optimise else study_findings.study
-        return search(sheet, library=folders, processes=processes, cluster=cluster, progress=progress)
+        return search(sheet, library=folders, execution=execution)
     folder = Path(out)
     if fresh:
         forget(folder / JOURNAL)
@@ -80,9 +82,7 @@ def study(  # noqa: PLR0913  # as many as the command has options
         folder,
         [word.strip() for word in formats if word.strip()],
         library=folders,
-        processes=processes,
-        cluster=cluster,
-        progress=progress,
+        execution=execution,
         force=force,
     )
 

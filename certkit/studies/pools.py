@@ -48,7 +48,7 @@ class Pool(Protocol):
         ...
 
 
-class Here:
+class OneProcess:
     """No workers: one run after the other in this very process."""
 
     def __init__(self, evaluate: Evaluate) -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from certkit.bench.render_documents import render
 from certkit.bench.result_folder import refuse_other_name
+from certkit.studies.execution import USUAL, Execution
 from certkit.studies.optimise import limits_of, optimise
 from certkit.studies.run_table import check_formats, write_table
 from certkit.studies.runs import Runs
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
 
     from certkit.definitions.study import Study
     from certkit.studies.optimise import Optimum
-    from certkit.studies.runs import Progress
     from certkit.studies.study_findings import Findings
 
 JOURNAL = "runs.jsonl"
@@ -30,47 +30,28 @@ def optimum(
     sheet: Study,
     *,
     library: Sequence[Path] = (),
-    journal: Path | None = None,
-    processes: int | None = None,
-    cluster: str | None = None,
-    progress: Progress | None = None,
+    execution: Execution = USUAL,
 ) -> Optimum:
     """Carry an optimisation out; the arguments are those of `certkit.studies.study_findings.study`."""
     trial, factors = set_up(sheet, library)
     held = limits_of(trial)
-    with Runs(
-        trial,
-        context=trial.context,
-        journal=journal,
-        processes=processes,
-        cluster=cluster,
-        progress=progress,
-    ) as runs:
+    with Runs(trial, execution, context=trial.context) as runs:
         return replace(optimise(sheet, factors, held, runs), output_units=trial.output_units())
 
 
-def optimise_and_write(  # noqa: PLR0913  # as many as the command has options
+def optimise_and_write(  # as many as the command has options
     sheet: Study,
     folder: Path,
     formats: Collection[str],
     *,
     library: Sequence[Path] = (),
-    processes: int | None = None,
-    cluster: str | None = None,
-    progress: Progress | None = None,
+    execution: Execution = USUAL,
     force: bool = False,
 ) -> Optimum:
     """Carry an optimisation out and write its table, what it found and its page; see `carry_and_write`."""
     check_formats(formats)
     refuse_other_name(folder, "study", sheet.study, FILES, force=force)
-    found = optimum(
-        sheet,
-        library=library,
-        journal=folder / JOURNAL,
-        processes=processes,
-        cluster=cluster,
-        progress=progress,
-    )
+    found = optimum(sheet, library=library, execution=execution.kept_in(folder / JOURNAL))
     units = {factor.name: factor.unit for factor in found.factors}
     shown = {**units, **found.output_units}
     render(
@@ -82,15 +63,13 @@ def optimise_and_write(  # noqa: PLR0913  # as many as the command has options
     return found
 
 
-def carry_and_write(  # noqa: PLR0913  # as many as the command has options
+def carry_and_write(  # as many as the command has options
     sheet: Study,
     folder: Path,
     formats: Collection[str],
     *,
     library: Sequence[Path] = (),
-    processes: int | None = None,
-    cluster: str | None = None,
-    progress: Progress | None = None,
+    execution: Execution = USUAL,
     force: bool = False,
 ) -> Findings:
     """Carry a study out and write its table, its findings and its page.
@@ -106,14 +85,7 @@ def carry_and_write(  # noqa: PLR0913  # as many as the command has options
     """
     check_formats(formats)
     refuse_other_name(folder, "study", sheet.study, FILES, force=force)
-    findings = study(
-        sheet,
-        library=library,
-        journal=folder / JOURNAL,
-        processes=processes,
-        cluster=cluster,
-        progress=progress,
-    )
+    findings = study(sheet, library=library, execution=execution.kept_in(folder / JOURNAL))
     units = {**findings.units, **findings.output_units}
     render(
         study_report(findings),

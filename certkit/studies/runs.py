@@ -9,16 +9,13 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING, Self
 
+from certkit.studies.execution import USUAL, Execution
 from certkit.studies.journal import Journal
 from certkit.studies.points import Evaluate, Outcome, Point, key_of
-from certkit.studies.pools import DIED, Cluster, Here, Pool, Processes, available_processes
+from certkit.studies.pools import DIED, Cluster, OneProcess, Pool, Processes, available_processes
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-    from pathlib import Path
-
-    Progress = Callable[[int, int, int], None]
-    """Called with how many runs of a batch are done, how many it has, and how many of them failed."""
+    from collections.abc import Sequence
 
 
 class Runs:
@@ -30,35 +27,20 @@ class Runs:
         One run; see `certkit.studies.points.Evaluate`.
     context : str
         What besides the point decides the outputs; part of every run's key.
-    journal : Path, optional
-        File in which finished runs outlive this process.
-    processes : int, optional
-        Workers on this machine; all cores when None, this very process when 1.
-    cluster : str, optional
-        Address of a Dask scheduler, used instead.
-    progress : callable, optional
-        Told of every finished run.
+    execution : Execution
+        Where and how they are done.
     """
 
-    def __init__(
-        self,
-        evaluate: Evaluate,
-        *,
-        context: str = "",
-        journal: Path | None = None,
-        processes: int | None = None,
-        cluster: str | None = None,
-        progress: Progress | None = None,
-    ) -> None:
+    def __init__(self, evaluate: Evaluate, execution: Execution = USUAL, *, context: str = "") -> None:
         """Open the journal; workers are started when there is something to do."""
         self.evaluate = evaluate
         self.context = context
-        self.processes = processes or available_processes()
-        self.cluster = cluster
-        self.progress = progress
+        self.processes = execution.processes or available_processes()
+        self.cluster = execution.cluster
+        self.progress = execution.progress
         self.done_here = 0
         self._pool: Pool | None = None
-        self._journal = Journal(journal) if journal else None
+        self._journal = Journal(execution.journal) if execution.journal else None
         self._known: dict[str, Outcome] = self._journal.known if self._journal else {}
 
     def __call__(self, points: Sequence[Point]) -> list[Outcome]:
@@ -96,7 +78,7 @@ class Runs:
                 self._pool = Cluster(self.evaluate, self.cluster)
             elif self.processes > 1:
                 self._pool = Processes(self.evaluate, self.processes)
-        return self._pool or Here(self.evaluate)
+        return self._pool or OneProcess(self.evaluate)
 
     def _tell(self, done: int, total: int, failed: int) -> None:
         if self.progress:

@@ -16,6 +16,7 @@ from certkit.studies.designs import (
     one_at_a_time,
     sobol_sequence,
 )
+from certkit.studies.execution import USUAL, Execution
 from certkit.studies.factors import Factor, factor_of
 from certkit.studies.indices import morris_design, sobol_design
 from certkit.studies.run_table import ERROR, RUN, table_of
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
     from certkit.definitions.study import Design
     from certkit.documents.study_report import Chance, QuickModel
     from certkit.studies.points import Point
-    from certkit.studies.runs import Progress
 
 
 @dataclass(frozen=True)
@@ -78,10 +78,7 @@ def study(
     document: Study | str | Path,
     *,
     library: Sequence[Path] = (),
-    journal: Path | None = None,
-    processes: int | None = None,
-    cluster: str | None = None,
-    progress: Progress | None = None,
+    execution: Execution = USUAL,
 ) -> Findings:
     """Carry out a study with a design.
 
@@ -91,14 +88,8 @@ def study(
         The study, or the name or path of its file.
     library : sequence of Path
         Folders with own definitions.
-    journal : Path, optional
-        Where finished runs are kept; a study that was interrupted goes on from there.
-    processes : int, optional
-        Workers on this machine, all cores by default.
-    cluster : str, optional
-        Address of a Dask scheduler to use instead.
-    progress : callable, optional
-        Told of every finished run: done, total, failed.
+    execution : Execution
+        Where and how the runs are done.
 
     Returns
     -------
@@ -115,14 +106,7 @@ def study(
     if sheet.design is None:
         raise UsageError("only a study with a design can be carried out; an optimisation is searched")
     trial, factors = set_up(sheet, library)
-    with Runs(
-        trial,
-        context=trial.context,
-        journal=journal,
-        processes=processes,
-        cluster=cluster,
-        progress=progress,
-    ) as runs:
+    with Runs(trial, execution, context=trial.context) as runs:
         return replace(carry_out(sheet, factors, runs), output_units=trial.output_units())
 
 

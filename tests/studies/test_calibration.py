@@ -18,7 +18,8 @@ from certkit.studies.calibration.fit import make_ready
 from certkit.studies.calibration.identifiability import LEARNT, knowledge
 from certkit.studies.calibration.leg_family import extent, passes
 from certkit.studies.calibration.parameter_space import Axis, Space
-from certkit.studies.calibration.run_calibration import carry_and_write
+from certkit.studies.calibration.run_calibration import fit_and_write
+from certkit.studies.execution import Execution
 from certkit.studies.points import Outcome
 from certkit.studies.study_findings import set_up
 from certkit.studies.trial import Trial
@@ -58,7 +59,7 @@ def changed(**parts: Any) -> CalibrationTask:  # noqa: ANN401
 
 
 def test_a_fit_comes_nearer_and_its_files_give_what_it_says(tmp_path: Path) -> None:
-    carry_and_write(make_ready(changed()), tmp_path, processes=1)
+    fit_and_write(make_ready(changed()), tmp_path, execution=Execution(processes=1))
     report = json.loads((tmp_path / "fit.json").read_text())
     assert report["rms_after"] < report["rms_before"]
     leg = load("legform", tmp_path / "flex-pli-gtr.yaml").document
@@ -87,7 +88,7 @@ def old_paths() -> CalibrationTask:
 
 def test_a_fit_with_old_paths_writes_files_with_the_paths_of_today(tmp_path: Path) -> None:
     with pytest.warns(OldFormWarning) as told:
-        carry_and_write(make_ready(old_paths()), tmp_path, processes=1)
+        fit_and_write(make_ready(old_paths()), tmp_path, execution=Execution(processes=1))
     assert any("write `legform.parts.femur.bending stiffness`" in str(remark.message) for remark in told)
     leg = load("legform", tmp_path / "flex-pli-gtr.yaml")
     assert leg.remarks == ()
@@ -105,7 +106,7 @@ def test_an_old_path_in_a_family_is_written_as_that_of_today() -> None:
 def test_an_interrupted_fit_ends_where_an_uninterrupted_one_ends(tmp_path: Path) -> None:
     sheet = changed(search={"generations": 2, "population": 5, "steps": 2, "pull": 0.2})
     whole, halved = tmp_path / "whole", tmp_path / "halved"
-    carry_and_write(make_ready(sheet), whole, processes=1)
+    fit_and_write(make_ready(sheet), whole, execution=Execution(processes=1))
 
     class Interrupted(Exception):  # noqa: N818
         pass
@@ -119,9 +120,9 @@ def test_an_interrupted_fit_ends_where_an_uninterrupted_one_ends(tmp_path: Path)
             raise Interrupted
 
     with pytest.raises(Interrupted):
-        carry_and_write(make_ready(sheet), halved, processes=1, tell=interrupt)
+        fit_and_write(make_ready(sheet), halved, execution=Execution(processes=1), tell=interrupt)
     before = (halved / "runs.jsonl").read_bytes()
-    carry_and_write(make_ready(sheet), halved, processes=1)
+    fit_and_write(make_ready(sheet), halved, execution=Execution(processes=1))
     assert (halved / "runs.jsonl").read_bytes().startswith(before)
     for name in ("fit.json", "flex-pli-gtr.yaml", "inverse.yaml", "runs.jsonl"):
         assert (halved / name).read_bytes() == (whole / name).read_bytes()
@@ -134,7 +135,7 @@ def test_every_member_of_a_family_passes_when_it_is_run_again_with_its_rig(tmp_p
         search={"generations": 0, "steps": 0},
     )
     task = make_ready(sheet)
-    report = carry_and_write(task, tmp_path, processes=1, family=3)[1]
+    report = fit_and_write(task, tmp_path, execution=Execution(processes=1), family=3).report
     family = load("family", tmp_path / "families" / "flex-pli-gtr.yaml").document
     assert len({tuple(member.values.items()) for member in family.members}) == 3
     assert all(member.rigs["inverse"].keys() == {"rig.ram.width on knee"} for member in family.members)
@@ -165,13 +166,15 @@ def test_values_are_predicted_by_the_others_where_that_is_wanted(tmp_path: Path)
     sheet = changed(
         parameters=SHEET["parameters"][1:], search={"generations": 0, "steps": 2, "leave one out": True}
     )
-    report = carry_and_write(make_ready(sheet), tmp_path, processes=1)[1]
+    report = fit_and_write(make_ready(sheet), tmp_path, execution=Execution(processes=1)).report
     assert all(isinstance(value.left_out, float) for value in report.values)
 
 
 def test_other_searches_are_reported_beside_the_fit(tmp_path: Path) -> None:
     search = {"generations": 0, "steps": 1, "basins": 2, "population": 4}
-    report = carry_and_write(make_ready(changed(search=search)), tmp_path, processes=1)[1]
+    report = fit_and_write(
+        make_ready(changed(search=search)), tmp_path, execution=Execution(processes=1)
+    ).report
     assert {basin.start for basin in report.basins} == {"1", "2"}
     assert report.basins[0].squares <= report.basins[1].squares
 

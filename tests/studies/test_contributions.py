@@ -12,6 +12,7 @@ from support import toys
 from certkit.definitions.study import Study
 from certkit.errors import RunError
 from certkit.reporting.study_pages import study_page
+from certkit.studies.execution import Execution
 from certkit.studies.factors import Factor, Uniform
 from certkit.studies.runs import Runs
 from certkit.studies.scatter import chances
@@ -34,7 +35,7 @@ def carried(design: dict[str, Any], factors: list[Factor], evaluate: Any) -> Fin
             "design": design,
         }
     )
-    with Runs(evaluate, processes=1) as runs:
+    with Runs(evaluate, Execution(processes=1)) as runs:
         return carry_out(sheet, factors, runs)
 
 

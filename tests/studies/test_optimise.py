@@ -10,6 +10,7 @@ from certkit.definitions.study import Study
 from certkit.errors import RunError, UsageError
 from certkit.reporting.study_pages import optimum_page
 from certkit.reporting.study_text import optimum_text
+from certkit.studies.execution import Execution
 from certkit.studies.factors import Factor, NormalFactor, Uniform
 from certkit.studies.optimise import Limit, Optimum, limits_of, optimise
 from certkit.studies.runs import Runs
@@ -41,7 +42,7 @@ def searched(
             "optimise": {"margin": margin, "aims": [{"output": a} for a in aims], "evaluations": evaluations},
         }
     )
-    with Runs(how.get("evaluate", bowl), processes=1) as runs:
+    with Runs(how.get("evaluate", bowl), Execution(processes=1)) as runs:
         found = optimise(sheet, how.get("factors", AB), HELD, runs)
         assert len(found.table) <= evaluations
         return found

@@ -16,7 +16,8 @@ from certkit.mechanics import simulate
 from certkit.reporting.study_text import calibration_text
 from certkit.signals import Channel, Filtered, Recording
 from certkit.studies.calibration.fit import make_ready
-from certkit.studies.calibration.run_calibration import carry_and_write
+from certkit.studies.calibration.run_calibration import fit_and_write
+from certkit.studies.execution import Execution
 from certkit.studies.recorded_curve import RecordedCurve, curve_of
 
 if TYPE_CHECKING:
@@ -152,7 +153,8 @@ def test_a_fit_to_histories_finds_the_stiffness_they_were_made_with(
     leg_recording: Callable[[str], Path], tmp_path: Path, measure: str
 ) -> None:
     folder = leg_recording("190 N·m²")
-    _, document = carry_and_write(make_ready(fit_to(folder, measure=measure)), tmp_path, processes=1)
+    task = make_ready(fit_to(folder, measure=measure))
+    document = fit_and_write(task, tmp_path, execution=Execution(processes=1)).report
     summary = calibration_text(document)
     leg = load("legform", tmp_path / "flex-pli-gtr.yaml").document
     assert leg.parts["femur"].bending_stiffness == pytest.approx(190, rel=5e-3)

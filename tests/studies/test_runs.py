@@ -15,6 +15,7 @@ import pytest
 from support import toys
 
 from certkit.errors import UsageError
+from certkit.studies.execution import Execution
 from certkit.studies.journal import Journal, forget
 from certkit.studies.points import key_of
 from certkit.studies.pools import DIED, Chunks
@@ -28,12 +29,12 @@ POINTS = [{"a": i / 7, "b": (-1.0) ** i} for i in range(100)]
 
 
 def test_two_processes_give_the_bits_of_one() -> None:
-    with Runs(toys.wave, processes=1) as one, Runs(toys.wave, processes=2) as two:
+    with Runs(toys.wave, Execution(processes=1)) as one, Runs(toys.wave, Execution(processes=2)) as two:
         assert one(POINTS) == two(POINTS)
 
 
 def test_a_failed_run_is_a_row_with_its_error() -> None:
-    with Runs(toys.fussy, processes=1) as runs:
+    with Runs(toys.fussy, Execution(processes=1)) as runs:
         good, bad = runs([{"a": 1.0}, {"a": -1.0}])
     assert good.outputs == {"root": 1.0}
     assert not good.error
@@ -42,9 +43,9 @@ def test_a_failed_run_is_a_row_with_its_error() -> None:
 
 
 def test_what_is_no_number_is_none_before_and_after_the_journal(tmp_path: Path) -> None:
-    with Runs(toys.nothing, journal=tmp_path / "j", processes=1) as runs:
+    with Runs(toys.nothing, Execution(journal=tmp_path / "j", processes=1)) as runs:
         first = runs([{"a": 1.0}])
-    with Runs(toys.nothing, journal=tmp_path / "j", processes=1) as runs:
+    with Runs(toys.nothing, Execution(journal=tmp_path / "j", processes=1)) as runs:
         again = runs([{"a": 1.0}])
         assert runs.done_here == 0
     assert first == again
@@ -52,7 +53,7 @@ def test_what_is_no_number_is_none_before_and_after_the_journal(tmp_path: Path) 
 
 
 def test_the_same_point_is_done_once() -> None:
-    with Runs(toys.wave, processes=1) as runs:
+    with Runs(toys.wave, Execution(processes=1)) as runs:
         first, second = runs([{"a": 0.1, "b": 2.0}, {"b": 2.0, "a": 0.1}])
         assert runs.done_here == 1
     assert first == second
@@ -60,7 +61,7 @@ def test_the_same_point_is_done_once() -> None:
 
 def test_a_run_that_kills_its_worker_costs_only_its_own_row() -> None:
     points = [{"a": float(i)} for i in range(12)]
-    with Runs(toys.deadly, processes=2) as runs:
+    with Runs(toys.deadly, Execution(processes=2)) as runs:
         outcomes = runs(points)
     assert [o.error for o in outcomes] == [DIED if i == 5 else "" for i in range(12)]
     assert [o.outputs.get("twice") for o in outcomes if not o.error] == [2.0 * i for i in range(12) if i != 5]
@@ -68,7 +69,7 @@ def test_a_run_that_kills_its_worker_costs_only_its_own_row() -> None:
 
 def test_progress_tells_what_is_done_and_what_failed() -> None:
     told: list[tuple[int, int, int]] = []
-    with Runs(toys.fussy, processes=1, progress=lambda *now: told.append(now)) as runs:
+    with Runs(toys.fussy, Execution(processes=1, progress=lambda *now: told.append(now))) as runs:
         runs([{"a": 1.0}, {"a": -1.0}, {"a": 1.0}])
     assert told[0] == (0, 3, 0)
     assert told[-1] == (3, 3, 1)
@@ -76,11 +77,11 @@ def test_progress_tells_what_is_done_and_what_failed() -> None:
 
 def test_a_torn_line_is_cut_off_and_its_run_done_again(tmp_path: Path) -> None:
     path = tmp_path / "runs.jsonl"
-    with Runs(toys.wave, journal=path, processes=1) as runs:
+    with Runs(toys.wave, Execution(journal=path, processes=1)) as runs:
         whole = runs(POINTS[:3])
     text = path.read_bytes()
     path.write_bytes(text[:-20])
-    with Runs(toys.wave, journal=path, processes=1) as runs:
+    with Runs(toys.wave, Execution(journal=path, processes=1)) as runs:
         assert runs(POINTS[:3]) == whole
         assert runs.done_here == 1
     assert path.read_bytes() == text
@@ -107,13 +108,13 @@ def test_a_line_that_is_not_as_it_was_written_is_dropped_and_its_run_done_again(
     tmp_path: Path, damage: Callable[[list[bytes]], list[bytes]]
 ) -> None:
     path = tmp_path / "runs.jsonl"
-    with Runs(toys.wave, journal=path, processes=1) as runs:
+    with Runs(toys.wave, Execution(journal=path, processes=1)) as runs:
         whole = runs(POINTS[:5])
     lines = path.read_bytes().splitlines(keepends=True)
     damaged = damage(lines)
     assert all(json.loads(line) for line in _joined(lines))
     path.write_bytes(b"".join(damaged))
-    with Runs(toys.wave, journal=path, processes=1) as runs:
+    with Runs(toys.wave, Execution(journal=path, processes=1)) as runs:
         assert runs(POINTS[:5]) == whole
         assert runs.done_here == sum(line not in damaged for line in lines)
     assert sorted(path.read_bytes().splitlines(keepends=True)) == sorted(lines)
@@ -121,7 +122,7 @@ def test_a_line_that_is_not_as_it_was_written_is_dropped_and_its_run_done_again(
 
 def test_a_study_that_is_begun_afresh_respects_the_one_that_is_at_work(tmp_path: Path) -> None:
     path = tmp_path / "j"
-    with Runs(toys.wave, journal=path, processes=1) as runs:
+    with Runs(toys.wave, Execution(journal=path, processes=1)) as runs:
         runs(POINTS[:2])
         before = path.read_bytes()
         with pytest.raises(UsageError, match="another certkit"):
@@ -136,9 +137,10 @@ def test_ctrl_c_does_not_wait_for_the_runs_that_are_at_work(tmp_path: Path) -> N
     program = tmp_path / "program.py"
     program.write_text(
         "import sys; sys.path.insert(0, sys.argv[1]); from support import toys\n"
+        "from certkit.studies.execution import Execution\n"
         "from certkit.studies.runs import Runs\n"
         "if __name__ == '__main__':\n"
-        "    with Runs(toys.Endless(sys.argv[2]), processes=2) as runs:\n"
+        "    with Runs(toys.Endless(sys.argv[2]), Execution(processes=2)) as runs:\n"
         "        runs([{'a': float(i)} for i in range(4)])\n"
     )
     command = [sys.executable, str(program), os.path.dirname(os.path.dirname(toys.__file__)), str(tmp_path)]  # noqa: PTH120  # argv
@@ -182,10 +184,11 @@ def test_killed_and_resumed_no_run_is_missing_and_none_is_done_twice(tmp_path: P
     """A parent killed with SIGKILL leaves its journal and no orphans; the next one does only the rest."""
     script = (
         "import sys; sys.path.insert(0, sys.argv[1]); from support import toys; from pathlib import Path\n"
+        "from certkit.studies.execution import Execution\n"
         "from certkit.studies.runs import Runs\n"
         "def main():\n"
         "    counted, journal = toys.Counted(sys.argv[2]), Path(sys.argv[2]) / 'runs.jsonl'\n"
-        "    with Runs(counted, journal=journal, processes=2) as runs:\n"
+        "    with Runs(counted, Execution(journal=journal, processes=2)) as runs:\n"
         "        print(len(runs([{'a': float(i)} for i in range(60)])))\n"
         "if __name__ == '__main__': main()\n"
     )
@@ -212,8 +215,9 @@ def test_a_script_that_workers_cannot_import_is_told_so_once(tmp_path: Path) -> 
     program = tmp_path / "unguarded.py"
     program.write_text(
         "import sys; sys.path.insert(0, sys.argv[1]); from support import toys\n"
+        "from certkit.studies.execution import Execution\n"
         "from certkit.studies.runs import Runs\n"
-        "Runs(toys.wave, processes=2)([{'a': float(i), 'b': 0.0} for i in range(50)])\n"
+        "Runs(toys.wave, Execution(processes=2))([{'a': float(i), 'b': 0.0} for i in range(50)])\n"
     )
     command = [sys.executable, str(program), os.path.dirname(os.path.dirname(toys.__file__))]  # noqa: PTH120  # argv
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
@@ -223,11 +227,11 @@ def test_a_script_that_workers_cannot_import_is_told_so_once(tmp_path: Path) -> 
 
 def test_a_dask_cluster_gives_the_same_table_and_outlives_a_worker() -> None:
     distributed = pytest.importorskip("distributed")
-    with Runs(toys.slow_wave, processes=1) as here:
+    with Runs(toys.slow_wave, Execution(processes=1)) as here:
         expected = here(POINTS[:40])
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
         victim = next(iter(cluster.workers.values()))
-        with Runs(toys.slow_wave, cluster=cluster.scheduler_address) as there:
+        with Runs(toys.slow_wave, Execution(cluster=cluster.scheduler_address)) as there:
             there.progress = lambda done, *_: os.kill(victim.pid, signal.SIGKILL) if done == 10 else None
             assert there(POINTS[:40]) == expected
 
@@ -235,7 +239,7 @@ def test_a_dask_cluster_gives_the_same_table_and_outlives_a_worker() -> None:
 def test_nobody_at_the_address_is_said_so() -> None:
     pytest.importorskip("distributed")
     with (
-        Runs(toys.wave, cluster="tcp://127.0.0.1:9") as runs,
+        Runs(toys.wave, Execution(cluster="tcp://127.0.0.1:9")) as runs,
         pytest.raises(UsageError, match="no Dask scheduler"),
     ):
         runs(POINTS[:2])

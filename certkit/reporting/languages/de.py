@@ -325,11 +325,5 @@ REASONS = MappingProxyType(
         "rated-too-short": "{count} Abtastwerte sind zu wenige für eine Bewertung: {needed} bei 10 kHz sind nötig",
         "rated-not-finite": "eine Kurve mit Werten, die keine Zahlen sind, lässt sich nicht bewerten",
         "rated-constant": "die Referenz ist konstant; es gibt nichts zu bewerten",
-        "run-untrusted-remedy": "Der Lauf ist nicht vertrauenswürdig: {check} {value:.3g} {unit} überschreitet {limit:g} {unit} ({remedy}).",
-        "take-a-smaller-step": "einen kleineren Zeitschritt nehmen: --set 'run.time step={step:g} s'",
-        "stiffen-the-contacts": "die Kontakte, die sich durchdringen, steifer machen",
-        "stiffen-the-wall": "der Knochen hinter dem Weichteil ist für diese Last zu nachgiebig: `flesh.wall` erhöhen",
-        "criterion-changes-most": "{criterion} ändert sich am meisten; den Zeitschritt halbieren: --set 'run.time step={step:g} s'",
-        "flesh-depth": "Eindrückung des Weichteils über seiner Dicke",
     }
 )

@@ -325,11 +325,5 @@ REASONS = MappingProxyType(
         "rated-too-short": "{count} 点では評価に不足です。10 kHz で {needed} 点必要です",
         "rated-not-finite": "数値でない値を含む曲線は評価できません",
         "rated-constant": "基準が一定で、評価できません",
-        "run-untrusted-remedy": "計算は信頼できません: {check} {value:.3g} {unit} が {limit:g} {unit} を超えています({remedy})。",
-        "take-a-smaller-step": "時間刻みを小さくしてください: --set 'run.time step={step:g} s'",
-        "stiffen-the-contacts": "めり込んでいる接触を硬くしてください",
-        "stiffen-the-wall": "フレッシュの背後の骨がこの荷重に対して柔らかすぎます: `flesh.wall` を上げてください",
-        "criterion-changes-most": "{criterion} の変化が最大です。時間刻みを半分にしてください: --set 'run.time step={step:g} s'",
-        "flesh-depth": "フレッシュの厚さに対する圧縮深さ",
     }
 )

@@ -5,9 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from certkit.definitions.loading.library import load
 from certkit.errors import UsageError
 from certkit.studies.calibration import fit
 from certkit.studies.calibration.run_calibration import JOURNAL, fit_and_write
+from certkit.studies.execution import Execution
 from certkit.studies.journal import forget
 
 if TYPE_CHECKING:
@@ -27,6 +29,7 @@ def calibrate(  # noqa: PLR0913  # as many as the command has options
     processes: int | None = None,
     cluster: str | None = None,
     tell: Tell = lambda _: None,
+    force: bool = False,
 ) -> fit.Calibration:
     """Fit parameters of a legform and of rigs to tests, within bounds.
 
@@ -49,11 +52,14 @@ def calibrate(  # noqa: PLR0913  # as many as the command has options
         Address of a Dask scheduler to use instead.
     tell : callable, optional
         Told how far the search has come.
+    force : bool
+        Write over another fit in the folder.
 
     Returns
     -------
     Calibration
-        `point` has the fitted numbers.
+        `point` has the fitted numbers, `report` is its document and `files` what was
+        written, where `out` was given.
 
     Raises
     ------
@@ -66,11 +72,16 @@ def calibrate(  # noqa: PLR0913  # as many as the command has options
         raise UsageError("a family is written as files; say where with `out`")
     folders = [Path(each) for each in ([library] if isinstance(library, (str, Path)) else library)]
     task = fit.make_ready(document, folders)
+    execution = Execution(processes, cluster)
     if out is None:
-        with fit.runs_for(task, processes=processes, cluster=cluster) as runs:
+        with fit.runs_for(task, execution) as runs:
             return fit.calibrate(task, runs, tell)
     folder = Path(out)
     if fresh:
         forget(folder / JOURNAL)
-    found, *_ = fit_and_write(task, folder, family=family, processes=processes, cluster=cluster, tell=tell)
-    return found
+    return fit_and_write(task, folder, family=family, execution=execution, tell=tell, force=force)
+
+
+def fit_sheet(document: CalibrationTask | str | Path, library: Sequence[Path] = ()) -> CalibrationTask:
+    """Return the fit that is given, named or in a file."""
+    return load("fit", document, library=library).document if isinstance(document, (str, Path)) else document

@@ -17,6 +17,7 @@ from certkit.studies.calibration.parameter_space import Space, space_of
 from certkit.studies.calibration.recorded_targets import recorded_curves, recorded_goals
 from certkit.studies.calibration.search import Misfit, downhill, everywhere
 from certkit.studies.calibration.targets import Goal, distances, goals_of
+from certkit.studies.execution import USUAL, Execution
 from certkit.studies.runs import Runs
 from certkit.studies.trial import Trial
 
@@ -25,9 +26,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from certkit.documents.calibration_report import CalibrationReport
     from certkit.studies.calibration.search import Tell
     from certkit.studies.points import Outcome
-    from certkit.studies.runs import Progress
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,10 @@ class Calibration:
         else they show what else the tests allow.
     left_out : dict of str to float
         What each value came to in a fit without it, where that was wanted.
+    report : CalibrationReport, optional
+        Its document, where it was written.
+    files : tuple of Path
+        What was written of it.
     """
 
     task: Task
@@ -69,6 +74,8 @@ class Calibration:
     runs: int
     basins: tuple[Basin, ...]
     left_out: dict[str, float | str | None]
+    report: CalibrationReport | None = None
+    files: tuple[Path, ...] = ()
 
     @property
     def point(self) -> dict[str, float]:
@@ -127,23 +134,9 @@ def make_ready(document: CalibrationTask | str | Path, library: Sequence[Path] =
     return Task(sheet, trial, space, tuple(goals))
 
 
-def runs_for(  # where and how to run, each with a default
-    task: Task,
-    *,
-    journal: Path | None = None,
-    processes: int | None = None,
-    cluster: str | None = None,
-    progress: Progress | None = None,
-) -> Runs:
+def runs_for(task: Task, execution: Execution = USUAL) -> Runs:
     """Open the runs of a fit; what an interrupted one has done is found again in the journal."""
-    return Runs(
-        task.trial,
-        context=task.trial.context,
-        journal=journal,
-        processes=processes,
-        cluster=cluster,
-        progress=progress,
-    )
+    return Runs(task.trial, execution, context=task.trial.context)
 
 
 def calibrate(task: Task, runs: Runs, tell: Tell = lambda _: None) -> Calibration:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from certkit.bench.render_documents import render
@@ -9,39 +10,15 @@ from certkit.bench.result_folder import refuse_other_name
 from certkit.studies.calibration.fit import calibrate, runs_for
 from certkit.studies.calibration.fitted_files import report, write_family, write_fit
 from certkit.studies.calibration.leg_family import find_members
+from certkit.studies.execution import USUAL, Execution
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from certkit.documents.calibration_report import CalibrationReport
     from certkit.studies.calibration.fit import Calibration, Task
     from certkit.studies.calibration.search import Tell
 
 JOURNAL = "runs.jsonl"
-
-
-def carry_and_write(
-    task: Task,
-    folder: Path,
-    *,
-    family: int | None = None,
-    processes: int | None = None,
-    cluster: str | None = None,
-    tell: Tell = lambda _: None,
-    force: bool = False,
-) -> tuple[list[Path], CalibrationReport]:
-    """Calibrate, find relatives where wanted, and write everything.
-
-    Returns
-    -------
-    list of Path
-        Files written: the legform, rigs that were fitted, `fit.json`, `fit.html`, `families/LEGFORM.yaml`.
-    CalibrationReport
-    """
-    _, document, paths = fit_and_write(
-        task, folder, family=family, processes=processes, cluster=cluster, tell=tell, force=force
-    )
-    return paths, document
 
 
 def fit_and_write(
@@ -49,12 +26,32 @@ def fit_and_write(
     folder: Path,
     *,
     family: int | None = None,
-    processes: int | None = None,
-    cluster: str | None = None,
+    execution: Execution = USUAL,
     tell: Tell = lambda _: None,
     force: bool = False,
-) -> tuple[Calibration, CalibrationReport, list[Path]]:
-    """Calibrate and write; return what was found, its report and the files, as `carry_and_write`.
+) -> Calibration:
+    """Calibrate, find a family of legs where one is wanted, and write everything.
+
+    Parameters
+    ----------
+    task : Task
+        From `make_ready`.
+    folder : Path
+        Made when missing.
+    family : int, optional
+        How many further legs that pass every graded criterion to find.
+    execution : Execution
+        Where and how runs are done; finished ones are kept in the folder.
+    tell : callable
+        Told how far the search has come.
+    force : bool
+        Write over another fit.
+
+    Returns
+    -------
+    Calibration
+        With its report, and the files written: the legform, rigs that were fitted, `fit.json`, `fit.html`,
+        `families/LEGFORM.yaml`.
 
     Raises
     ------
@@ -62,7 +59,7 @@ def fit_and_write(
         When the folder holds another fit, and `force` is not given.
     """
     refuse_other_name(folder, "fit", task.sheet.fit, ["fit.json"], force=force)
-    with runs_for(task, journal=folder / JOURNAL, processes=processes, cluster=cluster) as runs:
+    with runs_for(task, execution.kept_in(folder / JOURNAL)) as runs:
         found = calibrate(task, runs, tell)
         members = find_members(found, runs, family, tell) if family else None
     document = report(found, members)
@@ -74,4 +71,5 @@ def fit_and_write(
             write_family(found, members, paths[-1])
         return paths
 
-    return found, document, render(document, folder, force=force, beside=beside)
+    paths = render(document, folder, force=force, beside=beside)
+    return replace(found, report=document, files=tuple(paths))
