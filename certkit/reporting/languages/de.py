@@ -161,7 +161,6 @@ WORDS = MappingProxyType(
         "over time": "über der Zeit",
         "part": "Teil",
         "polygon": "Polygon",
-        "read in an account of it": "in einer Darstellung gelesen",
         "read in the named text": "im genannten Text gelesen",
         "recalled": "erinnert",
         "received, J": "erhalten, J",

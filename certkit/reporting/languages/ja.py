@@ -161,7 +161,6 @@ WORDS = MappingProxyType(
         "over time": "時間依存",
         "part": "部位",
         "polygon": "多角形",
-        "read in an account of it": "解説で読んだもの",
         "read in the named text": "原文で確認",
         "recalled": "記憶",
         "received, J": "受領, J",
