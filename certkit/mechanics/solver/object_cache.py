@@ -2,7 +2,8 @@
 
 Importing numba takes 0.3 s, with scipy installed 0.7 s; a run of 60 ms is simulated in 0.01 s. So what numba
 has compiled is kept as an object file in the user's cache, and llvmlite alone loads it from there, in 0.02 s.
-The file's name is a digest of all that its content depends on. Whatever is unusual, numba compiles again.
+The file's name is a digest of all that its content depends on. It is loaded only from a folder in which
+nobody but the user can write (`certkit.files.own_folder`). Whatever is unusual, numba compiles again.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 from llvmlite import binding as llvm
 
 from certkit.errors import RunError
-from certkit.files import write_whole
+from certkit.files.own_folder import OwnFolder
 from certkit.mechanics.solver.kernel_arguments import KernelArguments, block
 
 if TYPE_CHECKING:
@@ -56,13 +57,15 @@ def loop() -> Callable[[KernelArguments], int]:
     """
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
-    file = cache_folder() / f"{_digest()}.o"
-    code = _read(file)
+    folder = _cache()
+    name = f"{_digest()}.o"
+    code = _read(folder, name)
     if code is None:
-        _tell(f"compiling the solver for this machine: once, some ten seconds; kept in {file.parent}")
+        if folder is not None:
+            _tell(f"compiling the solver for this machine: once, some ten seconds; kept in {folder.path}")
         code = compile_loop()
-        if code is not None:
-            _keep(file, code)
+        if code is not None and folder is not None:
+            _keep(folder, name, code)
     entry = (by_llvm(code) if code else None) or by_numba()
 
     def run_loop(run: KernelArguments) -> int:
@@ -76,17 +79,30 @@ def loop() -> Callable[[KernelArguments], int]:
 
 
 def cache_folder() -> Path:
-    """Return where object files are kept: `CERTKIT_CACHE`, else `certkit` in the user's cache folder."""
+    """Return where object files are kept: `CERTKIT_CACHE`, else `certkit` in the user's cache folder.
+
+    Without a home folder this is no whole path: then nothing is kept.
+    """
     own = os.environ.get("CERTKIT_CACHE")
     if own:
-        return Path(own)
-    if sys.platform == "win32":
-        base = os.environ.get("LOCALAPPDATA") or "~/AppData/Local"
-    elif sys.platform == "darwin":
-        base = "~/Library/Caches"
-    else:
-        base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    return Path(os.path.expanduser(base)) / "certkit"  # noqa: PTH111  # Path's raises where there is no home
+        return Path(own).absolute()
+    from platformdirs import user_cache_path  # noqa: PLC0415  # 10 ms that are not always needed
+
+    try:
+        return user_cache_path("certkit", appauthor=False)
+    except RuntimeError:  # a user whom the system does not know
+        return Path("~", ".cache", "certkit")
+
+
+def _cache() -> OwnFolder | None:
+    """Return the cache, or None, with a line that says why, where there is no safe place for one."""
+    folder = cache_folder()
+    try:
+        return OwnFolder(folder)
+    except OSError as error:
+        why = error.strerror or str(error)
+        _tell(f"compiling the solver, some ten seconds; it cannot be kept in {folder} ({why})")
+        return None
 
 
 def compile_loop() -> Code | None:
@@ -128,9 +144,8 @@ def object_code(library: Any, name: str) -> Code | None:  # noqa: ANN401  # numb
 
 
 def _not_kept(why: str) -> None:
-    """Say that runs are slower from now on, also where nobody watches."""
-    said = f"the compiled solver cannot be kept, every process compiles it anew ({why})"
-    print(said, file=sys.stderr)  # noqa: T201  # see above
+    """Say that runs are slower from now on."""
+    _tell(f"the compiled solver cannot be kept, every process compiles it anew ({why})")
 
 
 def by_llvm(code: Code) -> Entry | None:
@@ -190,29 +205,23 @@ def _numba_version() -> bytes:
     return Path(found.origin).with_name("_version.py").read_bytes()
 
 
-def _keep(file: Path, code: Code) -> None:
-    """Write down name and object file, with a digest of both before them. Where that is impossible, go on."""
-    content = code.name.encode() + b"\n" + code.content
+def _keep(folder: OwnFolder, name: str, code: Code) -> None:
+    """Write down name and object file. Where that is impossible, go on."""
     try:
-        write_whole(file, hashlib.sha256(content).digest() + content)
+        folder.write(name, code.name.encode() + b"\n" + code.content)
     except OSError as error:
         _tell(f"the compiled solver could not be kept ({error}); the next run compiles again")
 
 
-def _read(file: Path) -> Code | None:
+def _read(folder: OwnFolder | None, name: str) -> Code | None:
     """Return what `_keep` wrote, or None where there is none or it is not as it was written."""
-    try:
-        data = file.read_bytes()
-    except OSError:
+    data = folder.read(name) if folder is not None else None
+    if data is None:
         return None
-    digest, content = data[:32], data[32:]
-    if hashlib.sha256(content).digest() != digest:
-        return None
-    name, _, rest = content.partition(b"\n")
-    return Code(name.decode(), rest)
+    symbol, _, rest = data.partition(b"\n")
+    return Code(symbol.decode(), rest)
 
 
 def _tell(message: str) -> None:
-    """Say something on standard error where somebody watches."""
-    if sys.stderr.isatty():
-        print(message, file=sys.stderr)  # noqa: T201  # before any long silence, also from Python
+    """Say something on standard error before a long silence, also where nobody watches and from Python."""
+    print(message, file=sys.stderr, flush=True)  # noqa: T201  # see above

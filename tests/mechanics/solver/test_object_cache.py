@@ -157,7 +157,7 @@ def test_without_numbas_private_names_the_public_way_is_taken_and_one_line_says_
     monkeypatch.setattr(object_cache, "by_numba", lambda: taken.append("numba") or by_numba)
     assert np.isfinite(trajectory(world)[0]).all()
     assert taken == ["numba"]
-    (said,) = capsys.readouterr().err.splitlines()
+    (_, said) = capsys.readouterr().err.splitlines()
     assert "every process compiles it anew" in said
     assert "_final_module" in said
 
