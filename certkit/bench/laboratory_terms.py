@@ -17,6 +17,7 @@ from certkit.documents.result import InputFile, PreconditionResult
 from certkit.errors import DataError, DefinitionError, Problem
 from certkit.exchange.codes import code_table
 from certkit.exchange.conditions import Told, read_condition, together
+from certkit.files.bounded import open_plain
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
 from certkit.grading.grading_terms import LaboratoryTerms
 from certkit.reasons import Reason
@@ -201,7 +202,7 @@ def embedded_logo(name: str, folder: Path) -> str:
         raise _logo_problem(name, "lies outside the laboratory file's folder; put the logo beside the file")
     if not path.is_file():
         raise _logo_problem(name, "there is no such logo beside the laboratory file")
-    with path.open("rb") as stream:
+    with open_plain(path) as stream:
         data = stream.read(LOGO_BYTES + 1)
     if len(data) > LOGO_BYTES:
         raise _logo_problem(name, f"is larger than {LOGO_BYTES // 1000} kB; scale the logo down")

@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any
 
 from certkit.errors import DataError
-from certkit.exchange.container import read_bounded
+from certkit.files.bounded import read_bounded
 from certkit.reporting.attachments import MANIFEST, SCHEMA
 from certkit.reporting.language import ENGLISH, languages
 

@@ -24,7 +24,7 @@ from certkit.bench.verify_sources import definition_checks, source_checks
 from certkit.documents.document_kinds import document_in, documents_from
 from certkit.documents.result import Result
 from certkit.errors import DataError, OldFormWarning, UsageError
-from certkit.exchange.container import read_bounded
+from certkit.files.bounded import read_bounded
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

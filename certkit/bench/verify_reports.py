@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from certkit._version import __version__
 from certkit.bench.verification import Check, judged, unchecked
 from certkit.bench.verify_document import of_another_certkit, table_check
-from certkit.exchange.container import read_bounded
+from certkit.files.bounded import read_bounded
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

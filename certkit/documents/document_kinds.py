@@ -8,7 +8,7 @@ from importlib import import_module
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from certkit.documents.output_document import OutputDocument, content_of
+from certkit.documents.output_document import OutputDocument, check_size, content_of
 from certkit.documents.unverified import trusted
 from certkit.errors import DataError
 
@@ -80,6 +80,7 @@ def documents_from(content: bytes, name: str) -> list[OutputDocument]:
     first = _FIRST.match(content)  # as certkit writes it, so that a large document is not parsed twice
     if first is not None:
         return [_class_of(first[1].decode(errors="replace"), name).from_json(content, name)]
+    check_size(content, name)
     try:
         tree = json.loads(content)
     except (ValueError, RecursionError) as error:

@@ -17,6 +17,8 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from certkit.documents.wording import without_words
 from certkit.errors import DataError
 from certkit.files import write_whole
+from certkit.files.bounded import read_bounded
+from certkit.files.limits import MAX_DOCUMENT_BYTES, MAX_DOCUMENT_VALUES, MAX_DOCUMENT_WORDS
 from certkit.plain_text import odd_character_in_json
 from certkit.reasons import Reason
 
@@ -24,14 +26,14 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
     from pathlib import Path
 
-LARGEST = 200_000_000
-"""Bytes; a test of 20 channels with 200,000 samples each takes 50 million."""
-
 NOT_IN_ID: Final = object()
 """Marks a field (`Annotated[…, NOT_IN_ID]`) that depends on clock or machine: no id covers it."""
 
 ID_LENGTH = 16
 ID_GROUP = 4
+
+MOST_FAULTS = 1000
+"""Faults of a document that are looked at one by one."""
 
 _LINE = re.compile(r"(.*?) at line (\d+) column (\d+)")
 
@@ -106,7 +108,7 @@ class OutputDocument(Part):
             When it is too large, no JSON, or no document of this schema: says what and where.
         """
         name = name or cls.file_name
-        check_size(len(content), name)
+        check_size(content, name)
         text = content if isinstance(content, str) else content.decode("utf-8", errors="replace")
         if odd := odd_character_in_json(text):
             raise DataError(f"{name}: holds the control character U+{ord(odd):04X}; certkit writes none")
@@ -186,26 +188,37 @@ def content_of(path: Path, wanted: str) -> bytes:
         When it is missing, cannot be read, or is too large.
     """
     try:
-        check_size(path.stat().st_size, str(path))
-        return path.read_bytes()
-    except OSError as error:
-        raise DataError(f"{path}: cannot be read: {error.strerror}; name a {wanted}") from error
+        return read_bounded(path, largest=MAX_DOCUMENT_BYTES)
+    except DataError as error:
+        raise DataError(f"{error}; name a {wanted}") from error
 
 
-def check_size(size: int, name: str) -> None:
-    """Refuse what no document can be.
+def check_size(content: str | bytes, name: str) -> None:
+    """Refuse what no document can be, before anything is made of it.
 
     Raises
     ------
     DataError
-        Above `LARGEST` bytes.
+        Above `MAX_DOCUMENT_BYTES`, or `MAX_DOCUMENT_VALUES`.
     """
-    if size > LARGEST:
-        raise DataError(f"{name}: {size} bytes are more than a document can have ({LARGEST})")
+    if len(content) > MAX_DOCUMENT_BYTES:
+        raise DataError(
+            f"{name}: {len(content)} bytes are more than a document can have ({MAX_DOCUMENT_BYTES})"
+        )
+    data = content.encode() if isinstance(content, str) else content
+    values = sum(data.count(mark) for mark in (b",", b"[", b"{"))
+    numbers = sum(data.count(b",%c" % digit) for digit in b"-0123456789")
+    if values > MAX_DOCUMENT_VALUES or values - numbers > MAX_DOCUMENT_WORDS:
+        raise DataError(f"{name}: more values than a document can have ({MAX_DOCUMENT_VALUES})")
 
 
 def _refusal(error: ValidationError, name: str, wanted: type[OutputDocument]) -> str:
-    first = error.errors(include_url=False)[0]
+    if error.error_count() > MOST_FAULTS:
+        # Python would make a kilobyte of each.
+        return (
+            f"{name}: not a certkit {wanted.noun}: {error.error_count()} values are not what they should be"
+        )
+    first = error.errors(include_url=False, include_input=False)[0]
     if first["type"] == "json_invalid":
         found = _LINE.fullmatch(first["msg"])
         said, place = (found[1], f"{name}:{found[2]}:{found[3]}") if found else (first["msg"], name)

@@ -13,20 +13,20 @@ from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
+from certkit.files.bounded import read_bounded
+from certkit.files.limits import (
+    MAX_COMPRESSION,
+    MAX_CONTAINER_BYTES,
+    MAX_MEMBERS,
+    MAX_TEXT_BYTES,
+    MEGABYTE,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# Upper bounds on what is read: far above any real test, far below what could exhaust a machine.
-MEGABYTE = 1_000_000
-MAX_FILE_BYTES = 256 * MEGABYTE
-MAX_CONTAINER_BYTES = 1_000 * MEGABYTE
-MAX_MEMBERS = 5_000
-MAX_COMPRESSION = 200  # text of samples packs about 3 to 20 times; zip bombs pack a thousand times
-MAX_HEADER_LINES = 500
-MAX_LINE = 4_000
-MAX_CHANNELS = 500
-MAX_SAMPLES = 5_000_000
+_ENTRY = b"PK\x01\x02"
+"""Before each entry of an archive's directory."""
 
 # What the standard library raises on damaged archives, beside `BadZipFile`.
 _DAMAGED = (
@@ -65,29 +65,6 @@ class Container:
         return f"{self.label}/{name}"
 
 
-def read_bounded(path: Path, label: str | None = None) -> bytes:
-    """Read a plain file of at most `MAX_FILE_BYTES`.
-
-    Raises
-    ------
-    DataError
-        When it is missing, no plain file (a pipe, a device) or too large.
-    """
-    label = label or str(path)
-    try:
-        status = path.stat()
-        if not stat.S_ISREG(status.st_mode):
-            raise DataError(f"{label}: not a plain file; name the file itself")
-        if status.st_size > MAX_FILE_BYTES:
-            raise DataError(
-                f"{label}: {status.st_size / MEGABYTE:.0f} MB; "
-                f"above {MAX_FILE_BYTES / MEGABYTE:.0f} MB files are refused: export a shorter record"
-            )
-        return path.read_bytes()
-    except OSError as error:
-        raise DataError(f"{label}: cannot be read ({error.strerror}); check its permissions") from error
-
-
 def open_container(path: Path) -> Container:
     """Open the folder or zip archive of one test.
 
@@ -119,12 +96,17 @@ def _folder(path: Path) -> Container:
         if len(names) > MAX_MEMBERS:
             raise DataError(f"{path}: more than {MAX_MEMBERS} files; name the folder of one test")
     return Container(
-        str(path), tuple(sorted(names)), lambda name: read_bounded(path / name, f"{path}/{name}")
+        str(path),
+        tuple(sorted(names)),
+        lambda name: read_bounded(path / name, f"{path}/{name}", largest=MAX_TEXT_BYTES),
     )
 
 
 def _archive(path: Path) -> Container:
     content = read_bounded(path)
+    # Before the directory is read: Python makes half a kilobyte of each entry.
+    if content.count(_ENTRY) > MAX_MEMBERS:
+        raise DataError(f"{path}: more than {MAX_MEMBERS} files in the archive; pack one test")
     try:
         from io import BytesIO  # noqa: PLC0415  # only for archives
 
@@ -132,8 +114,6 @@ def _archive(path: Path) -> Container:
         members = [m for m in archive.infolist() if not m.is_dir() and not m.filename.startswith("__MACOSX/")]
     except _DAMAGED as error:
         raise DataError(f"{path}: not a whole zip archive ({error}); pack the test folder again") from error
-    if len(members) > MAX_MEMBERS:
-        raise DataError(f"{path}: more than {MAX_MEMBERS} files in the archive; pack one test")
     by_name: dict[str, zipfile.ZipInfo] = {}
     for member in members:
         _check_member(path, member)
@@ -178,7 +158,7 @@ def _check_member(path: Path, member: zipfile.ZipInfo) -> None:
     if member.flag_bits & 0x1:
         raise DataError(f"{place}: locked with a password; unlock the archive first")
     bomb = member.file_size > MEGABYTE and member.file_size > MAX_COMPRESSION * max(member.compress_size, 1)
-    if bomb or member.file_size > MAX_FILE_BYTES:
+    if bomb or member.file_size > MAX_TEXT_BYTES:
         raise DataError(
             f"{place}: unpacks to {member.file_size / MEGABYTE:.0f} MB from {member.compress_size} bytes; "
             "refused as a zip bomb: pack the test folder again"

@@ -20,7 +20,6 @@ from certkit.exchange.channels_csv import (
 )
 from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.conditions import mapped_conditions, together
-from certkit.exchange.container import read_bounded
 from certkit.exchange.csv_table import CsvTable, cut
 from certkit.exchange.data_status import judged
 from certkit.exchange.data_units import any_factor, factor, quantity, table_dimension
@@ -28,6 +27,7 @@ from certkit.exchange.measured import Leniency, MeasuredData, SourceFile
 from certkit.exchange.samples import read_samples, read_with_gaps
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import TimeBase, base_of_times
+from certkit.files.bounded import read_bounded
 from certkit.signals.clipping import find_clipping
 from certkit.signals.recording import Channel, Recording
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
-from certkit.exchange.container import MAX_CHANNELS, MAX_LINE, MAX_SAMPLES
 from certkit.exchange.csv_cells import Cells, cells_of, plain_lines, without_empty_end
 from certkit.exchange.samples import Lines
+from certkit.files.limits import MAX_CHANNELS, MAX_LINE, MAX_SAMPLES, MAX_VALUES
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -118,6 +118,8 @@ def cut(text: str, place: str, layout: CsvLayout | None) -> CsvTable:
             f"{place}:{head + 1}: {count} columns; more than {MAX_CHANNELS} are "
             "refused: export fewer channels"
         )
+    if count * len(body) > MAX_VALUES:
+        raise DataError(f"{place}: more than {MAX_VALUES} values are refused; export a shorter record")
     below = [
         (cells_of(line, delimiter), number) for number, line in enumerate(lines[head + 1 : first], head + 2)
     ]

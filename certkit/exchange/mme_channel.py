@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
-from certkit.exchange.container import MAX_SAMPLES
 from certkit.exchange.data_units import factor, table_dimension
 from certkit.exchange.mme_checks import check_extremes, data_status, filter_state
 from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.samples import Lines, read_samples
 from certkit.exchange.timebase import TimeBase
+from certkit.files.limits import MAX_SAMPLES
 from certkit.signals.clipping import find_clipping
 
 if TYPE_CHECKING:

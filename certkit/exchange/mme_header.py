@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from certkit.errors import DataError
-from certkit.exchange.container import MAX_HEADER_LINES, MAX_LINE
 from certkit.exchange.data_units import quantity
+from certkit.files.limits import MAX_HEADER_LINES, MAX_LINE
 
 NOVALUE = "NOVALUE"
 

@@ -18,13 +18,14 @@ from certkit.definitions.loading.channel_tables import default_channels
 from certkit.errors import DataError
 from certkit.exchange.codes import CodeTable, code_table, table_of_codes
 from certkit.exchange.conditions import mapped_conditions, mme_conditions, together
-from certkit.exchange.container import MAX_CHANNELS, Container, open_container
+from certkit.exchange.container import Container, open_container
 from certkit.exchange.measured import Leniency, MeasuredData, SourceFile
 from certkit.exchange.mme_channel import MmeChannel, read_channel
 from certkit.exchange.mme_checks import data_status_of_test
 from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import common_base
+from certkit.files.limits import MAX_CHANNELS
 from certkit.reasons import Reason
 from certkit.signals.recording import Channel, Kind, Recording
 

@@ -6,6 +6,7 @@ import codecs
 import re
 
 from certkit.errors import DataError
+from certkit.files.limits import MAX_LINES, MAX_TEXT_BYTES, MEGABYTE
 from certkit.plain_text import odd_character
 
 _MARKS = (
@@ -31,6 +32,11 @@ def decode(data: bytes, place: str, encoding: str | None = None) -> tuple[str, s
     DataError
         For binary content, and where lines of two encodings stand in one file.
     """
+    if len(data) > MAX_TEXT_BYTES or data.count(b"\n") + data.count(b"\r") > 2 * MAX_LINES:
+        raise DataError(
+            f"{place}: more than {MAX_LINES} lines or {MAX_TEXT_BYTES // MEGABYTE} MB of text are refused; "
+            "cut the recording to the test"
+        )
     found = encoding or next((name for mark, name in _MARKS if data.startswith(mark)), None)
     if found is None and b"\0" in data:
         line = data[: data.index(b"\0")].count(b"\n") + 1

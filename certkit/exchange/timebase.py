@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import DataError
-from certkit.exchange.container import MAX_SAMPLES
+from certkit.files.limits import MAX_SAMPLES
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -20,8 +20,8 @@ from filelock import FileLock
 
 from certkit.documents.result import Result
 from certkit.errors import DataError
-from certkit.exchange.container import read_bounded
 from certkit.files import write_whole
+from certkit.files.bounded import read_bounded
 from certkit.logbooks.logbook_entry import LogbookEntry, Reading, entry_of, serial_key
 
 if TYPE_CHECKING:

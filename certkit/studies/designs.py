@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import UsageError
+from certkit.files.limits import MAX_RUNS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,8 +17,6 @@ if TYPE_CHECKING:
 
     from certkit.studies.factors import Factor
     from certkit.studies.points import Point
-
-MOST_RUNS = 1_000_000
 
 
 def one_at_a_time(factors: Sequence[Factor], levels: int) -> list[Point]:
@@ -42,9 +41,10 @@ def full_factorial(factors: Sequence[Factor], levels: int) -> list[Point]:
     """
     grids = [factor.levels(levels) for factor in factors]
     runs = int(np.prod([float(len(grid)) for grid in grids]))
-    if runs > MOST_RUNS:
+    if runs > MAX_RUNS:
         raise UsageError(
-            f"a full factorial of {len(factors)} factors has {runs} runs; take a latin hypercube"
+            f"a full factorial of {len(factors)} factors has {runs} runs; more than {MAX_RUNS} are refused: "
+            "take a latin hypercube, or split the study (the bound is MAX_RUNS in certkit/files/limits.py)"
         )
     names = [factor.name for factor in factors]
     return [dict(zip(names, values, strict=True)) for values in product(*grids)]

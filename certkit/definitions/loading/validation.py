@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from certkit.definitions.loading.error_messages import problems
-from certkit.definitions.loading.yaml_reader import MAX_BYTES, Tree, read_tree
+from certkit.definitions.loading.yaml_reader import Tree, read_tree
 from certkit.errors import DefinitionError, Problem
+from certkit.files.bounded import open_plain
+from certkit.files.limits import MAX_DEFINITION_BYTES
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -70,8 +72,8 @@ def read_document(path: Path, model: type[D], channels: ChannelTable | None = No
 def read_bytes(path: Path) -> bytes:
     """Return a file's bytes, no more than show that it is too large; raise `DefinitionError` without them."""
     try:
-        with path.open("rb") as stream:
-            return stream.read(MAX_BYTES + 1)
+        with open_plain(path) as stream:
+            return stream.read(MAX_DEFINITION_BYTES + 1)
     except OSError as error:
         reason = {FileNotFoundError: "does not exist", IsADirectoryError: "is a folder"}.get(type(error))
         message = reason or f"cannot be read ({error.strerror})"

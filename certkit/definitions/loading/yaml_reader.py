@@ -14,16 +14,13 @@ import yaml
 
 from certkit.definitions.loading.yaml_scalars import plain_scalar
 from certkit.errors import DefinitionError, Problem
+from certkit.files.limits import MAX_DEFINITION_BYTES, MAX_DEFINITION_DEPTH, MAX_DEFINITION_VALUES, MEGABYTE
 from certkit.plain_text import odd_character
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from certkit.definitions.loading.faults import Steps
-
-MAX_BYTES = 2_000_000
-MAX_DEPTH = 40
-MAX_NODES = 200_000  # aliases count with all they stand for
 
 _START = "a definition starts with its kind, such as `procedure: my-test`"
 
@@ -115,10 +112,9 @@ def read_value(text: str, file: str) -> Any:  # noqa: ANN401  # any plain data
 
 
 def _decode(data: bytes | str, file: str) -> str:
-    if len(data) > MAX_BYTES:
-        message = (
-            f"is larger than {MAX_BYTES // 1_000_000} MB; definitions are small: is this the right file?"
-        )
+    if len(data) > MAX_DEFINITION_BYTES:
+        most = MAX_DEFINITION_BYTES // MEGABYTE
+        message = f"is larger than {most} MB; definitions are small: is this the right file?"
         raise DefinitionError([Problem(file, 0, 0, message)])
     if isinstance(data, str):
         return data.removeprefix("\ufeff")
@@ -170,7 +166,7 @@ def _syntax(error: yaml.MarkedYAMLError, text: str) -> str:
 
 @dataclass
 class _Reader:
-    """Builds the tree from events, at most `MAX_DEPTH` deep and `MAX_NODES` large."""
+    """Builds the tree from events, at most `MAX_DEFINITION_DEPTH` deep and `MAX_DEFINITION_VALUES` large."""
 
     file: str
     events: Iterator[Any]
@@ -262,13 +258,15 @@ class _Reader:
         return _copy(data)
 
     def _descend(self, level: int, event: Any) -> None:  # noqa: ANN401  # as above
-        if level > MAX_DEPTH:
-            raise self._stop(event, f"is nested more than {MAX_DEPTH} levels deep")
+        if level > MAX_DEFINITION_DEPTH:
+            raise self._stop(event, f"is nested more than {MAX_DEFINITION_DEPTH} levels deep")
 
     def _count(self, more: int, event: Any) -> None:  # noqa: ANN401  # as above
         self.nodes += more
-        if self.nodes > MAX_NODES:
-            message = f"holds more than {MAX_NODES} values, counting aliases with all they stand for"
+        if self.nodes > MAX_DEFINITION_VALUES:
+            message = (
+                f"holds more than {MAX_DEFINITION_VALUES} values, counting aliases with all they stand for"
+            )
             raise self._stop(event, message)
 
 

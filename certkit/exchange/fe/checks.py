@@ -9,14 +9,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import DataError
+from certkit.files.bounded import read_bounded
+from certkit.files.limits import MAX_HISTORY_BYTES, MEGABYTE
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from numpy.typing import NDArray
-
-LARGEST = 512 * 1024 * 1024
-"""Bytes of one history file, unpacked: far above any time history, far below a machine's memory."""
 
 FEWEST_ROWS = 10
 
@@ -34,16 +33,11 @@ def read_bytes(path: Path) -> tuple[bytes, str]:
     Raises
     ------
     DataError
-        When it is missing, unreadable, empty, a damaged archive or larger than `LARGEST` once unpacked.
+        When it is missing, unreadable, empty, a damaged archive, or larger than `MAX_HISTORY_BYTES`.
     """
-    try:
-        if path.stat().st_size > LARGEST:
-            raise DataError(f"{path}: larger than {LARGEST >> 20} MiB; write fewer histories or fewer rows")
-        raw = path.read_bytes()
-    except FileNotFoundError:
-        raise DataError(f"{path}: there is no such file; check the case's `files`") from None
-    except OSError as error:
-        raise DataError(f"{path}: cannot be read ({error.strerror}); check its permissions") from None
+    if not path.exists():
+        raise DataError(f"{path}: there is no such file; check the case's `files`")
+    raw = read_bounded(path, largest=MAX_HISTORY_BYTES)
     digest = hashlib.sha256(raw).hexdigest()
     content = _unpacked(raw, path) if path.suffix == ".gz" else raw
     if not content:
@@ -56,11 +50,12 @@ def _unpacked(raw: bytes, path: Path) -> bytes:
 
     try:
         with gzip.GzipFile(fileobj=io.BytesIO(raw)) as stream:
-            content = stream.read(LARGEST + 1)
+            content = stream.read(MAX_HISTORY_BYTES + 1)
     except (OSError, EOFError) as error:
         raise DataError(f"{path}: damaged gzip archive ({error}); copy it again") from None
-    if len(content) > LARGEST:
-        raise DataError(f"{path}: unpacks to more than {LARGEST >> 20} MiB; write fewer histories")
+    if len(content) > MAX_HISTORY_BYTES:
+        most = MAX_HISTORY_BYTES // MEGABYTE
+        raise DataError(f"{path}: unpacks to more than {most} MB; write fewer histories or fewer rows")
     return content
 
 

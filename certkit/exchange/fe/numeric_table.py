@@ -16,6 +16,7 @@ import numpy as np
 
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes, require_finite
+from certkit.files.limits import MAX_VALUES
 from certkit.plain_text import without_odd_characters
 
 if TYPE_CHECKING:
@@ -82,7 +83,12 @@ def _rows(content: bytes, source: str) -> tuple[list[str], list[list[str]]]:
             f"{source}: not a text file (byte {error.start}); is it the native file? Name its format "
             "in the case"
         ) from None
-    lines = [row for row in csv.reader(io.StringIO(text)) if any(cell.strip() for cell in row)]
+    if content.count(b",") + content.count(b"\n") > MAX_VALUES:
+        raise DataError(f"{source}: more than {MAX_VALUES} cells are refused; write fewer histories or rows")
+    try:
+        lines = [row for row in csv.reader(io.StringIO(text)) if any(cell.strip() for cell in row)]
+    except csv.Error as error:
+        raise DataError(f"{source}: no table of numbers ({error}); write the file again") from None
     if len(lines) < 2:
         raise DataError(f"{source}: no rows of numbers below the head; write the file again")
     head, *rows = lines
