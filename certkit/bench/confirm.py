@@ -7,7 +7,6 @@ the place and the person as the source of each number, and `verified` beside it.
 from __future__ import annotations
 
 import hashlib
-import re
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
@@ -15,6 +14,7 @@ from typing import TYPE_CHECKING, cast
 
 import yaml
 
+from certkit.bench.written_value import with_value
 from certkit.definitions.confirmation import (
     Confirmation,
     ConfirmedNumber,
@@ -25,12 +25,11 @@ from certkit.definitions.confirmation import (
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import Loaded, load, names
 from certkit.definitions.loading.lint import kind_in
-from certkit.definitions.loading.overrides import change
 from certkit.definitions.loading.parameter_list import parameters
 from certkit.definitions.loading.search_path import ENDINGS
-from certkit.definitions.loading.validation import read_bytes, validate
+from certkit.definitions.loading.validation import read_bytes
 from certkit.definitions.loading.yaml_reader import read_tree
-from certkit.errors import DefinitionError, UsageError
+from certkit.errors import UsageError
 from certkit.files import write_whole
 
 if TYPE_CHECKING:
@@ -43,8 +42,6 @@ if TYPE_CHECKING:
 
 LARGEST_TEXT = 500_000_000
 """Bytes of a file that is hashed; a regulation as a scan has a few million."""
-
-_WINDOW = re.compile(r"(?P<lower>.+?) to (?P<upper>.+)|at most (?P<most>.+)|at least (?P<least>.+)")
 
 
 @dataclass
@@ -137,7 +134,7 @@ class ConfirmationSession:
     def _put(self, entry: ListedParameter, value: str) -> ListedParameter:
         """Write one's own copy of the definition with another value, and read it."""
         target = self.library / KINDS[self.loaded.kind].folder / f"{self.loaded.name}.yaml"
-        text = _with_value(self.loaded, entry, value)
+        text = with_value(self.loaded, entry, value)
         write_whole(target, text)
         self.loaded = load(self.loaded.kind, target)
         return self._entry(entry.path)
@@ -241,53 +238,6 @@ def _digest(path: Path) -> str:
     except OSError as error:
         raise UsageError(f"{path}: cannot be read ({error.strerror})") from error
     return digest.hexdigest()
-
-
-def _with_value(loaded: Loaded[BaseModel], entry: ListedParameter, value: str) -> str:
-    """Return a definition's text with another value at a number's place; all else stays as it was written.
-
-    Raises
-    ------
-    UsageError
-        When the value does not fit, or the number is a polygon or curve.
-    """
-    kind = KINDS[loaded.kind]
-    tree = read_tree(loaded.text, loaded.path)
-    lines = loaded.text.splitlines(keepends=True)
-    for path, new in _parts(entry, value).items():
-        try:
-            changed, (spot,) = change(tree, {path: new}, kind.model)
-            validate(changed, kind.model)
-        except DefinitionError as error:
-            raise UsageError(f"`{value}` does not fit: {error.problems[0].message}") from error
-        steps = next(steps for steps in changed.changed if steps not in tree.changed)
-        line, column = tree.values[steps]
-        old, text = spot.was or "", lines[line - 1]
-        for written in (old, f'"{old}"', f"'{old}'"):
-            if old and text[column - 1 :].startswith(written):
-                lines[line - 1] = text[: column - 1] + new + text[column - 1 + len(written) :]
-                break
-        else:
-            raise UsageError(f"{loaded.path}:{line}:{column}: change this value in the file, then confirm it")
-    return "".join(lines)
-
-
-def _parts(entry: ListedParameter, value: str) -> dict[str, str]:
-    """Return the paths that a value is written at: a corridor has two."""
-    was, now = _sides(entry.value), _sides(value)
-    if not was:
-        return {entry.path: value}
-    if was.keys() != now.keys():
-        raise UsageError(f"{entry.path}: write the corridor like `{entry.value}`")
-    return {f"{entry.path}.{side}": new for side, new in now.items() if new != was[side]}
-
-
-def _sides(words: str) -> dict[str, str]:
-    """Return the sides of a corridor that is told in words; empty for a plain number."""
-    found = _WINDOW.fullmatch(words)
-    given = {} if found is None else {side: text for side, text in found.groupdict().items() if text}
-    names_of = {"lower": "lower", "upper": "upper", "most": "upper", "least": "lower"}
-    return {names_of[side]: text for side, text in given.items()}
 
 
 def answered(session: ConfirmationSession) -> tuple[int, int]:

@@ -16,7 +16,8 @@ from certkit.documents.consistent_lists import check_axis, check_lengths, check_
 from certkit.documents.data_frames import CriteriaFrame, SeriesFrame
 from certkit.documents.list_by_id import ListById
 from certkit.documents.output_document import NOT_IN_ID, OutputDocument, Part
-from certkit.documents.rounding import Figure, Figures, Point, Points, Poses, Rows
+from certkit.documents.rig_motion import Motion
+from certkit.documents.rounding import Figure, Figures, Point, Points
 from certkit.reasons import Reason
 
 Verdict = Literal["pass", "fail", "conditional", "not evaluated", "error"]
@@ -201,38 +202,6 @@ class Histories(SeriesFrame, Part):
         check_lengths(self.count, {name: each.values for name, each in self.series.items()}, "samples")
         for name, each in self.series.items():
             check_sizes(name, each.values)
-        return self
-
-
-class Shape(Part):
-    """Something that moves or stands in the moving picture: an outline in its own axes, metres."""
-
-    name: str
-    kind: Literal["bone", "knee", "flesh", "rig", "ram", "vehicle", "mass"]
-    outline: Points
-    closed: bool = True
-
-
-class Motion(Part):
-    """The moving picture. Shape s in frame f: (x, z, angle) = `poses[f][s]`; `moments[f]` its colours."""
-
-    times: Figures
-    shapes: list[Shape]
-    poses: Poses
-    joints: Annotated[list[str], Field(description="Names of what `moments` colours: shape names.")] = []
-    moments: Rows = []
-    unit: str = "N·m"
-    scene: Annotated[list[Shape], Field(description="Shapes that never move, in world axes.")] = []
-
-    @model_validator(mode="after")
-    def _fits(self) -> Self:
-        """Refuse poses that do not belong to the times and shapes."""
-        check_lengths(len(self.times), {"poses": self.poses}, "times")
-        shapes, joints = len(self.shapes), len(self.joints)
-        check_lengths(shapes, {f"poses.{f}": row for f, row in enumerate(self.poses)}, "shapes")
-        if self.moments:
-            check_lengths(len(self.times), {"moments": self.moments}, "times")
-            check_lengths(joints, {f"moments.{f}": row for f, row in enumerate(self.moments)}, "joints")
         return self
 
 

@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from certkit.definitions.channels import ChannelTable
     from certkit.documents.result import Result
     from certkit.exchange.csv_table import CsvTable
-    from certkit.exchange.measured import Leniency
+    from certkit.exchange.leniency import Leniency
     from certkit.signals.recording import Recording
 
 KINDS: tuple[Kind, ...] = get_args(Kind)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from certkit.definitions.channel_mapping import Mapping
     from certkit.exchange.codes import CodeTable
-    from certkit.exchange.measured import Leniency
+    from certkit.exchange.leniency import Leniency
     from certkit.exchange.mme_header import Header
 
 _NEAR = 1e-3

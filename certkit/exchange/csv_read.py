@@ -23,7 +23,8 @@ from certkit.exchange.conditions import mapped_conditions, together
 from certkit.exchange.csv_table import CsvTable, cut
 from certkit.exchange.data_status import judged
 from certkit.exchange.data_units import any_factor, factor, quantity, table_dimension
-from certkit.exchange.measured import Leniency, MeasuredData, SourceFile
+from certkit.exchange.leniency import Leniency
+from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.samples import read_samples, read_with_gaps
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import TimeBase, base_of_times

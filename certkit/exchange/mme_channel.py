@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.definitions.channels import ChannelKind
-    from certkit.exchange.measured import Leniency
+    from certkit.exchange.leniency import Leniency
     from certkit.reasons import Reason
 
 _DEFAULT_UNIT = {

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.definitions.channels import ChannelKind
-    from certkit.exchange.measured import Leniency
+    from certkit.exchange.leniency import Leniency
     from certkit.exchange.mme_header import Header
 
 _CLASS = re.compile(r"(?:CFC[\s_-]*)?(\d{1,6})\s*(?:Hz)?", re.IGNORECASE)

@@ -19,7 +19,8 @@ from certkit.errors import DataError
 from certkit.exchange.codes import CodeTable, code_table, table_of_codes
 from certkit.exchange.conditions import mapped_conditions, mme_conditions, together
 from certkit.exchange.container import Container, open_container
-from certkit.exchange.measured import Leniency, MeasuredData, SourceFile
+from certkit.exchange.leniency import Leniency
+from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.mme_channel import MmeChannel, read_channel
 from certkit.exchange.mme_checks import data_status_of_test
 from certkit.exchange.mme_header import Header, read_header

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.exchange.measured import Leniency
+    from certkit.exchange.leniency import Leniency
 
 _SAME = 1e-6  # relative difference of two intervals that count as one
 _UNIFORM = 0.2  # of an interval: rounding in a written time column; a lost sample shows as 0.5

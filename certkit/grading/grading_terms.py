@@ -16,12 +16,12 @@ if TYPE_CHECKING:
         Front,
         Histories,
         InputFile,
-        Motion,
         Parameter,
         PreconditionResult,
         Provenance,
         Quality,
     )
+    from certkit.documents.rig_motion import Motion
     from certkit.reasons import Reason
 
 

@@ -29,7 +29,8 @@ if TYPE_CHECKING:
     from certkit.definitions.legform import Legform
     from certkit.definitions.procedure import Procedure
     from certkit.definitions.vehicle import Vehicle
-    from certkit.documents.result import Front, Histories, Motion
+    from certkit.documents.result import Front, Histories
+    from certkit.documents.rig_motion import Motion
     from certkit.mechanics.fixtures.recorded_force import RecordedForce
     from certkit.mechanics.legform.segments import Segment
     from certkit.mechanics.records import Floats

@@ -12,7 +12,8 @@ from certkit.reporting.charts.motion_frames import FILL, bounds, largest_moment
 from certkit.reporting.criterion_row import slug
 
 if TYPE_CHECKING:
-    from certkit.documents.result import Motion, Result
+    from certkit.documents.result import Result
+    from certkit.documents.rig_motion import Motion
 
 MOST_FRAMES = 120
 POSE_UNIT = 1e-4

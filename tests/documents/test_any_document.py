@@ -220,7 +220,7 @@ def test_a_list_of_documents_is_verified_and_rendered_one_by_one(tmp_path: Path)
     path.write_text(listed_json([leg, other]), encoding="utf-8")
     assert leg.id in command("verify", path)
     command("report", path, "--out", tmp_path / "pages")
-    assert {page.name for page in (tmp_path / "pages").iterdir()} == {
+    assert {page.name for page in (tmp_path / "pages").rglob("*.html")} == {
         "logbook-FLX-7.html",
         "logbook-FLX-8.html",
     }

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.definitions.legform import KNEE
-from certkit.documents.result import Motion, Shape
+from certkit.documents.rig_motion import Motion, Shape
 from certkit.mechanics.fixtures.rig_assembly import box
 from certkit.mechanics.outputs.recorded_channels import moment_at
 

@@ -14,7 +14,8 @@ from certkit.reporting.svg import Drawing, label, path, tag
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.documents.result import Motion, Result, Shape
+    from certkit.documents.result import Result
+    from certkit.documents.rig_motion import Motion, Shape
 
 FILL = {
     "bone": "#e8e6e0",
