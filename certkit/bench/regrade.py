@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from typing import TYPE_CHECKING
 
+from certkit.bench.fit_origins import fits_of, fitted_to, on_bounds
 from certkit.bench.laboratory_terms import laboratory_terms
 from certkit.bench.setup import prepare, without_model
 from certkit.definitions.laboratory import Laboratory
@@ -22,9 +23,12 @@ from certkit.grading import (
     evaluate,
     measure_all,
 )
+from certkit.grading.front_limits import beyond_range
 from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from certkit.bench.setup import Setup
     from certkit.definitions.channels import ChannelTable
     from certkit.documents.result import Result
@@ -97,10 +101,23 @@ def regrade(result: Result) -> Result:
     again = evaluate(
         measured,
         GradingTerms(setup.corridors, result.provenance, setup.reference, setup.parameters),
-        simulated=SimulatedTerms(quality=result.quality, numerical=numerical, legform=legform),
+        simulated=_simulated(result, setup, numerical) if legform else SimulatedTerms(numerical=numerical),
         laboratory=_laboratory(result, channels),
     )
     return worded(again)
+
+
+def _simulated(result: Result, setup: Setup, numerical: Mapping[str, float]) -> SimulatedTerms:
+    """Return what the run brought beside its recording, as far as the document and the shipped fits tell it."""
+    fits = fits_of(setup)
+    stretched = beyond_range(result.front, setup.vehicle) if result.front and setup.vehicle else []
+    return SimulatedTerms(
+        quality=result.quality,
+        numerical=numerical,
+        legform=setup.legform.title,
+        fitted=tuple(fitted_to(setup, fits)),
+        bounds=(*on_bounds(setup, fits), *stretched),
+    )
 
 
 def _laboratory(result: Result, channels: ChannelTable) -> LaboratoryTerms:
