@@ -19,7 +19,7 @@ VERDICTS = MappingProxyType(
 
 WORDS = MappingProxyType(
     {
-        "read in an account of it": "in einer Darstellung davon gelesen",
+        "read in somebody's account of it": "in einer Darstellung Dritter gelesen",
         "; {shown} shown, not graded.": "; {shown} nur gezeigt, nicht bewertet.",
         "All graded criteria lie inside their corridors.": "Alle bewerteten Kriterien liegen in ihren Korridoren.",
         "All {count} numbers that went in": "Alle {count} eingegangenen Zahlen",

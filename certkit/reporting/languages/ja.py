@@ -19,7 +19,7 @@ VERDICTS = MappingProxyType(
 
 WORDS = MappingProxyType(
     {
-        "read in an account of it": "解説で確認",
+        "read in somebody's account of it": "二次資料で確認",
         "; {shown} shown, not graded.": "、{shown} 件は参考表示(判定外)。",
         "All graded criteria lie inside their corridors.": "判定対象の全項目がコリドー内にあります。",
         "All {count} numbers that went in": "使用した数値 {count} 件すべて",
