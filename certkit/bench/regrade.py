@@ -108,7 +108,7 @@ def regrade(result: Result) -> Result:
 
 
 def _simulated(result: Result, setup: Setup, numerical: Mapping[str, float]) -> SimulatedTerms:
-    """Return what the run brought beside its recording, as far as the document and the shipped fits tell it."""
+    """Return what the run brought beside its recording, as far as document and shipped fits tell it."""
     fits = fits_of(setup)
     stretched = beyond_range(result.front, setup.vehicle) if result.front and setup.vehicle else []
     return SimulatedTerms(
