@@ -8,11 +8,10 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.reporting.pdf_certificate import certificate
-
 import certkit
 from certkit.bench.verify import verify
 from certkit.files import write_whole
+from certkit.reporting.pdf_report import certificate
 from docs.make.markdown import table
 from docs.make.reference import DOCS
 

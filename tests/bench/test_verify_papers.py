@@ -6,7 +6,6 @@ import io
 from pathlib import Path
 
 import pytest
-from certkit.reporting.pdf_certificate import certificate
 from support.signing_key import PASSPHRASE, write_key
 from typer.testing import CliRunner
 
@@ -17,6 +16,7 @@ from certkit.cli import app
 from certkit.documents.result import Result
 from certkit.errors import RunError
 from certkit.reporting.language import languages
+from certkit.reporting.pdf_report import certificate
 from certkit.reporting.signing import sign
 
 DATA = Path(__file__).parents[2] / "examples" / "measured"

@@ -246,6 +246,7 @@ REASONS = MappingProxyType(
         "record-ends-early": "記録はピークの {share:.0%} が残る {end:.4g} ms で終わる: ピークが過ぎたか分からない",
         "moment-pattern": "{channel} は {time:.1f} ms で {others:and} を結ぶ線から最大モーメントの {share:.0%} 外れる。脚はそのように曲がらない: ゲージと順序を確認すること。",
         "accepted-leniently": "--lenient で受け入れた仮定 (データによる裏付けなし): {reason}。",
+        "interval-rests-on-doubt": "評価区間は {channel} に基づく: {reason}",
         "interval-end-decides": "{criterion}: 評価区間の終わりが結果を左右する: 2 ms ずれると値が {moved:.3g} {unit} 変わり、余裕は {margin:.3g} {unit}。",
         "peak-near-interval": "{criterion}: {end:.1f} ms で終わる評価区間のすぐ外、{time:.1f} ms により大きなピーク {value:.4g} {unit} がある。",
         "pass-rests-on-peaks": "根拠: 記録内 ({start:.4g}~{end:.4g} ms) の {count} 個のピーク。いずれも隣と同様に動くチャンネルによる。限界に最も近いのは {criterion} で余裕 {margin:.3g} {unit}。",
