@@ -64,9 +64,11 @@ def report(
         (path, document) for path in results for document in read_documents(path, unverified=unverified)
     ]
     names = distinct_names([(folder_name(doc, path), path.absolute().parent.name) for path, doc in documents])
+    # Pages of a list of overviews have names of their own; those of several results are all called alike.
+    apart = len(results) > 1 or sum(isinstance(document, Result) for _, document in documents) > 1
     written: list[Path] = []
     for (path, document), name in zip(documents, names, strict=True):
-        folder = path.parent if out is None else out / name if len(documents) > 1 else out
+        folder = path.parent if out is None else out / name if apart else out
         written += render_pages(
             document, folder, wanted, paper=paper.value, language=language, sign=sign, force=force
         )

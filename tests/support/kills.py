@@ -17,6 +17,8 @@ SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
 
 def command(*words: str, folder: Path) -> subprocess.Popen[bytes]:
     """Start certkit in a folder."""
+    # In the background of a shell it is ignored, which a child would inherit.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     return subprocess.Popen(
         [sys.executable, "-m", "certkit", *words],
         cwd=folder,

@@ -11,8 +11,9 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from certkit.definitions.loading import yaml_reader as reader
-from certkit.definitions.loading.yaml_reader import MAX_BYTES, MAX_DEPTH, read_tree, read_value
+from certkit.definitions.loading.yaml_reader import read_tree, read_value
 from certkit.errors import DefinitionError
+from certkit.files.limits import MAX_DEFINITION_BYTES, MAX_DEFINITION_DEPTH
 
 
 def read(text: str | bytes) -> dict[str, Any]:
@@ -117,7 +118,7 @@ def test_duplicate_keys_are_all_reported_with_both_lines():
         ("a: \x00", "a character that YAML does not allow"),
         (b"a: 1\nb: \xff", "2:4: byte 0xff is not UTF-8"),
         ("a: 1".encode("utf-16"), "saved as UTF-16"),
-        (b"x" * (MAX_BYTES + 1), "larger than 2 MB"),
+        (b"x" * (MAX_DEFINITION_BYTES + 1), "larger than 2 MB"),
     ],
 )
 def test_what_cannot_be_read_is_said_with_its_place(text: str | bytes, said: str):
@@ -146,13 +147,13 @@ def test_aliases_cannot_explode():
 def test_aliases_cannot_nest_without_limit():
     lines = ["a0: &a0 [1]", *(f"a{i}: &a{i} [*a{i - 1}]" for i in range(1, 500))]
     (problem,) = problems("\n".join(lines))
-    assert f"nested more than {MAX_DEPTH} levels deep" in problem
+    assert f"nested more than {MAX_DEFINITION_DEPTH} levels deep" in problem
 
 
 @pytest.mark.parametrize("opening", ["[", "{a: ", "- "])
 def test_depth_is_limited(opening: str):
     (problem,) = problems("top: \n  " + opening * 100_000 if opening == "- " else "top: " + opening * 100_000)
-    assert f"nested more than {MAX_DEPTH} levels deep" in problem or "is not YAML" in problem
+    assert f"nested more than {MAX_DEFINITION_DEPTH} levels deep" in problem or "is not YAML" in problem
 
 
 def test_the_parser_without_libyaml_says_the_same(monkeypatch: pytest.MonkeyPatch):
