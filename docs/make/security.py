@@ -12,6 +12,7 @@ import certkit
 from certkit.bench.verify import verify
 from certkit.files import write_whole
 from certkit.reporting.pdf_report import certificate
+from certkit.reporting.result_view import unique_views
 from docs.make.markdown import table
 from docs.make.reference import DOCS
 
@@ -42,7 +43,7 @@ def _forgeries(tell: Callable[[str], None]) -> str:
         "measured": measured.as_written(),
         "simulated": certkit.run("inverse", refine=False).as_written(),
         "simulated overridden": certkit.run("pendulum", overrides=changed, refine=False).as_written(),
-        "pdf": certificate([measured.as_written()]),
+        "pdf": certificate(unique_views([measured.as_written()])),
     }
     rows, named = [], 0
     for forgery in (*DOCUMENTS, *PAPERS):

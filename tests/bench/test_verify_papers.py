@@ -17,6 +17,7 @@ from certkit.documents.result import Result
 from certkit.errors import RunError
 from certkit.reporting.language import languages
 from certkit.reporting.pdf_report import certificate
+from certkit.reporting.result_view import unique_views
 from certkit.reporting.signing import sign
 
 DATA = Path(__file__).parents[2] / "examples" / "measured"
@@ -48,7 +49,7 @@ def signed(
 ) -> Path:
     monkeypatch.setenv("CERTKIT_PASSPHRASE", PASSPHRASE)
     path = tmp_path / "signed.pdf"
-    path.write_bytes(sign(certificate([measured]), keys["Laboratory of Examples"][0]))
+    path.write_bytes(sign(certificate(unique_views([measured])), keys["Laboratory of Examples"][0]))
     return path
 
 
@@ -60,7 +61,7 @@ def told(found: Verification) -> list[str]:
 def test_a_certificate_in_any_language_holds(bending: Result, spoken: str, tmp_path: Path):
     path = tmp_path / "report.pdf"
     try:
-        path.write_bytes(certificate([bending], paper="Letter", spoken=spoken))
+        path.write_bytes(certificate(unique_views([bending], spoken), paper="Letter"))
     except RunError as error:
         pytest.skip(str(error))
     assert told(verify(path)) == []
@@ -68,7 +69,7 @@ def test_a_certificate_in_any_language_holds(bending: Result, spoken: str, tmp_p
 
 def test_a_suite_holds_with_its_own_title(measured: Result, bending: Result, tmp_path: Path):
     path = tmp_path / "suite.pdf"
-    path.write_bytes(certificate([measured, bending], title="Legform 7, spring", contents=True))
+    path.write_bytes(certificate(unique_views([measured, bending]), title="Legform 7, spring", contents=True))
     found = verify(path)
     assert told(found) == []
     assert found.ids == (measured.id, bending.id)
@@ -91,7 +92,7 @@ def test_without_a_signature_nothing_that_trust_is_asked_for_holds(
     measured: Result, keys: dict[str, tuple[Path, Path]], tmp_path: Path
 ):
     path = tmp_path / "report.pdf"
-    path.write_bytes(certificate([measured]))
+    path.write_bytes(certificate(unique_views([measured])))
     found = verify(path, trust=keys["Mallory"][1])
     assert told(found) == ["signature: unsigned-though-trust"]
 
@@ -137,7 +138,7 @@ def test_a_hash_copied_from_another_recording_does_not_help(measured: Result, tm
 def test_pages_of_another_version_are_not_called_checked(measured: Result, tmp_path: Path):
     older = measured.provenance.model_copy(update={"certkit": "0.0.9"})
     path = tmp_path / "report.pdf"
-    path.write_bytes(certificate([measured.model_copy(update={"provenance": older}).with_id()]))
+    path.write_bytes(certificate(unique_views([measured.model_copy(update={"provenance": older}).with_id()])))
     found = verify(path)
     assert found.outcome == "not checked"
     assert "pages: pages-of-another-version" in told(found)

@@ -15,7 +15,7 @@ import numpy as np
 from certkit.errors import DataError
 
 if TYPE_CHECKING:
-    from certkit.exchange.fe.radioss import Channels
+    from certkit.exchange.fe.radioss_channels import Channels
 
 _ENERGY = 0.01
 """Part of the largest energy that rounding of 32-bit values may take away."""

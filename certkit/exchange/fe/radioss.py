@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from certkit.exchange.fe.radioss_channels import Channels
+
     Values = NDArray[np.float64]
 
 
@@ -41,34 +43,6 @@ class RigidBodyRows:
 
     mass: float
     node: str
-
-
-@dataclass(frozen=True)
-class Channels:
-    """Everything an OpenRadioss time-history file holds, in the file's units.
-
-    Parameters
-    ----------
-    time : ndarray, shape (n,)
-    energies : mapping of str to ndarray
-        Global energies by their solver name.
-    parts, contacts, nodes : mapping of str to mapping of str to ndarray
-        Variables (`XMOM`, `MASS`, `XCG`; `FNX`, `FTX`; `DX`, `VX`) by object name.
-    impulses : bool
-        Whether contact channels are impulses (native file) or forces (converted CSV).
-    unread : tuple of str
-        Heads of columns that nothing is known of.
-    """
-
-    time: Values
-    energies: Mapping[str, Values]
-    parts: Mapping[str, Mapping[str, Values]]
-    contacts: Mapping[str, Mapping[str, Values]]
-    nodes: Mapping[str, Mapping[str, Values]]
-    impulses: bool
-    source: str
-    digest: str
-    unread: tuple[str, ...] = ()
 
 
 def impulse_of_differences(force: Values, time: Values) -> Values:

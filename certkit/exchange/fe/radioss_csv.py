@@ -10,7 +10,7 @@ import numpy as np
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import require_time_axis
 from certkit.exchange.fe.numeric_table import NumericTable, read_table
-from certkit.exchange.fe.radioss import Channels
+from certkit.exchange.fe.radioss_channels import Channels
 
 if TYPE_CHECKING:
     from pathlib import Path

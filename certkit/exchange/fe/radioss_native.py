@@ -22,7 +22,7 @@ from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes, require_finite, require_time_axis
 from certkit.exchange.fe.histories import distinct
 from certkit.exchange.fe.numeric_table import plain
-from certkit.exchange.fe.radioss import Channels
+from certkit.exchange.fe.radioss_channels import Channels
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping

@@ -244,7 +244,7 @@ REASONS = MappingProxyType(
         "peak-at-first-sample": "der größte Wert steht am ersten Messpunkt, {time:.2f} ms: eine Flanke, keine Spitze",
         "peak-at-last-sample": "der größte Wert steht am letzten Messpunkt, {time:.2f} ms: eine Flanke, keine Spitze",
         "record-ends-early": "die Aufzeichnung endet bei {end:.4g} ms mit {share:.0%} der Spitze: ob die Spitze vorüber ist, ist nicht bekannt",
-        "moment-pattern": "{channel} liegt bei {time:.1f} ms um {share:.0%} des größten Moments neben der Linie zwischen {others:and}; so biegt sich kein Bein: Messstellen und Reihenfolge prüfen.",
+        "moment-pattern": "{channel} liegt um {share:.0%} des größten Moments neben der Linie zwischen {others:and}; so biegt sich kein Bein: Messstellen und Reihenfolge prüfen.",
         "accepted-leniently": "Mit --lenient angenommen, nicht durch die Daten belegt: {reason}.",
         "interval-rests-on-doubt": "der Bewertungszeitraum beruht auf {channel}: {reason}",
         "interval-end-decides": "{criterion}: der Bewertungszeitraum steht auf der Kippe: ein um 2 ms anderes Ende ändert den Wert um {moved:.3g} {unit}, der Abstand beträgt {margin:.3g} {unit}.",

@@ -104,7 +104,7 @@ REASONS = MappingProxyType(
         "peak-at-first-sample": "the largest value stands at the first sample, {time:.2f} ms: a flank, no peak",
         "peak-at-last-sample": "the largest value stands at the last sample, {time:.2f} ms: a flank, no peak",
         "record-ends-early": "the record ends at {end:.4g} ms with {share:.0%} of the peak left: the peak cannot be known to be over",
-        "moment-pattern": "{channel} lies {share:.0%} of the largest moment off the line between {others:and} at {time:.1f} ms; no leg bends so: check gauges and order.",
+        "moment-pattern": "{channel} lies {share:.0%} of the largest moment off the line between {others:and}; no leg bends so: check gauges and order.",
         "accepted-leniently": "Accepted with --lenient, not shown by the data: {reason}.",
         "interval-rests-on-doubt": "the assessment interval rests on {channel}: {reason}",
         "interval-end-decides": "{criterion}: the assessment interval is a knife edge: another end by 2 ms moves the value by {moved:.3g} {unit}, the margin is {margin:.3g} {unit}.",

@@ -244,7 +244,7 @@ REASONS = MappingProxyType(
         "peak-at-first-sample": "最大値が最初のサンプル ({time:.2f} ms) にある: ピークではなく立ち上がり",
         "peak-at-last-sample": "最大値が最後のサンプル ({time:.2f} ms) にある: ピークではなく立ち上がり",
         "record-ends-early": "記録はピークの {share:.0%} が残る {end:.4g} ms で終わる: ピークが過ぎたか分からない",
-        "moment-pattern": "{channel} は {time:.1f} ms で {others:and} を結ぶ線から最大モーメントの {share:.0%} 外れる。脚はそのように曲がらない: ゲージと順序を確認すること。",
+        "moment-pattern": "{channel} は {others:and} を結ぶ線から最大モーメントの {share:.0%} 外れる。脚はそのように曲がらない: ゲージと順序を確認すること。",
         "accepted-leniently": "--lenient で受け入れた仮定 (データによる裏付けなし): {reason}。",
         "interval-rests-on-doubt": "評価区間は {channel} に基づく: {reason}",
         "interval-end-decides": "{criterion}: 評価区間の終わりが結果を左右する: 2 ms ずれると値が {moved:.3g} {unit} 変わり、余裕は {margin:.3g} {unit}。",

@@ -1,0 +1,39 @@
+"""What a time-history file of OpenRadioss holds, in the file's own units, whichever reader took it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from certkit.exchange.fe.histories import Values
+
+
+@dataclass(frozen=True)
+class Channels:
+    """Everything an OpenRadioss time-history file holds, in the file's units.
+
+    Parameters
+    ----------
+    time : ndarray, shape (n,)
+    energies : mapping of str to ndarray
+        Global energies by their solver name.
+    parts, contacts, nodes : mapping of str to mapping of str to ndarray
+        Variables (`XMOM`, `MASS`, `XCG`; `FNX`, `FTX`; `DX`, `VX`) by object name.
+    impulses : bool
+        Whether contact channels are impulses (native file) or forces (converted CSV).
+    unread : tuple of str
+        Heads of columns that nothing is known of.
+    """
+
+    time: Values
+    energies: Mapping[str, Values]
+    parts: Mapping[str, Mapping[str, Values]]
+    contacts: Mapping[str, Mapping[str, Values]]
+    nodes: Mapping[str, Mapping[str, Values]]
+    impulses: bool
+    source: str
+    digest: str
+    unread: tuple[str, ...] = ()
