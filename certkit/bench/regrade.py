@@ -27,8 +27,6 @@ from certkit.grading.front_limits import beyond_range
 from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from certkit.bench.setup import Setup
     from certkit.definitions.channels import ChannelTable
     from certkit.documents.result import Result
@@ -90,33 +88,34 @@ def regrade(result: Result) -> Result:
     """
     setup = carried_setup(result)
     channels = setup.legform.channel_table
-    legform = setup.legform.title if simulated_here(result) else ""
-    numerical = {
-        c.id: c.uncertainty.numerical
-        for c in result.criteria
-        if c.uncertainty is not None and c.uncertainty.numerical is not None
-    }
     # What was let pass then is let pass now, and listed in the document's notes.
     measured = measure_all(setup.procedure, recording_of(result, table=channels), lenient=True)
     again = evaluate(
         measured,
         GradingTerms(setup.corridors, result.provenance, setup.reference, setup.parameters),
-        simulated=_simulated(result, setup, numerical) if legform else SimulatedTerms(numerical=numerical),
+        simulated=_simulated_terms(result, setup),
         laboratory=_laboratory(result, channels),
     )
     return worded(again)
 
 
-def _simulated(result: Result, setup: Setup, numerical: Mapping[str, float]) -> SimulatedTerms:
-    """Return what the run brought beside its recording, as far as document and shipped fits tell it."""
-    fits = fits_of(setup)
-    stretched = beyond_range(result.front, setup.vehicle) if result.front and setup.vehicle else []
+def _simulated_terms(result: Result, setup: Setup) -> SimulatedTerms:
+    """Return what the simulation told; of the fits that the model was made by, those that certkit ships."""
+    numerical = {
+        c.id: c.uncertainty.numerical
+        for c in result.criteria
+        if c.uncertainty is not None and c.uncertainty.numerical is not None
+    }
+    if not simulated_here(result):
+        return SimulatedTerms(quality=result.quality, numerical=numerical)
+    fits, front, vehicle = fits_of(setup), result.front, setup.vehicle
+    stretched = [] if front is None or vehicle is None else beyond_range(front, vehicle)
     return SimulatedTerms(
+        fitted=tuple(fitted_to(setup, fits)),
+        bounds=(*on_bounds(setup, fits), *stretched),
         quality=result.quality,
         numerical=numerical,
         legform=setup.legform.title,
-        fitted=tuple(fitted_to(setup, fits)),
-        bounds=(*on_bounds(setup, fits), *stretched),
     )
 
 

@@ -31,6 +31,7 @@ VERIFICATION_WORDS: Mapping[str, str] = MappingProxyType(
         "field-differs": "`{place}` is {said}; graded again it is {made}",
         "note-missing": "the document lacks: {note}",
         "notes-from-recording": "{count} notes can only come from the recording's files, such as: {note}",
+        "fits-not-known": "`{place}` depends on a fit of the model that is not shipped",
         "words-of-another-version": "`{place}` is worded otherwise by certkit {version}",
         "gate-other-figure": "holds {said} against its limit where the run's figure is {made}",
         "gate-contradicts": "`{title}`: {value:.4g} against {limit:.4g} {unit} is called {verdict}",

@@ -14,7 +14,7 @@ from certkit.bench.verification import Verification
 from certkit.bench.verify import verify
 from certkit.cli import app
 from certkit.documents.result import Result
-from certkit.errors import RunError
+from certkit.errors import CertkitError
 from certkit.reporting.language import languages
 from certkit.reporting.pdf_report import certificate
 from certkit.reporting.result_view import unique_views
@@ -62,7 +62,7 @@ def test_a_certificate_in_any_language_holds(bending: Result, spoken: str, tmp_p
     path = tmp_path / "report.pdf"
     try:
         path.write_bytes(certificate(unique_views([bending], spoken), paper="Letter"))
-    except RunError as error:
+    except CertkitError as error:
         pytest.skip(str(error))
     assert told(verify(path)) == []
 

@@ -62,7 +62,7 @@ def test_rounding_again_changes_nothing():
 
 
 def test_a_small_difference_keeps_no_last_bits_of_what_it_is_the_difference_of():
-    assert rounded_difference(1.234567891e-7, of=379.77) == 1e-7
+    assert rounded_difference(1.234567891e-5, of=379.77) == 1.2e-5
     assert rounded_difference(3e-13, of=379.77) == 0.0
     assert rounded_difference(0.1234567, of=250.0) == 0.123457
 
