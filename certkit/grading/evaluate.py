@@ -20,7 +20,7 @@ from certkit.grading.interval_edge import interval_edge
 from certkit.grading.overall_verdict import overall
 from certkit.grading.preconditions import grade_preconditions
 from certkit.grading.reference_errors import compare
-from certkit.grading.remarks import assumptions, remarks
+from certkit.grading.remarks import assumptions, left_ungraded, remarks
 from certkit.grading.result_notes import result_notes
 from certkit.grading.scores import procedure_scores
 
@@ -89,6 +89,7 @@ def evaluate(
             *measured.remarks,
             *interval_edge(measured, criteria),
             *simulated.bounds,
+            *left_ungraded(procedure, terms.corridors),
         ],
     )
     verdict = overall(criteria, preconditions, simulated.quality)

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
+    from certkit.definitions.corridor_set import CorridorSet
+    from certkit.definitions.procedure import Procedure
     from certkit.definitions.provenance import Confidence
     from certkit.documents.result import (
         Comparison,
@@ -95,6 +97,18 @@ def assumptions(recording: Recording) -> list[Reason]:
         if note.code in ASSUMED
     ]
     return [Reason.of("accepted-leniently", reason=note) for note in said]
+
+
+def left_ungraded(procedure: Procedure, corridors: Mapping[str, CorridorSet]) -> list[Reason]:
+    """Say which entries of a corridor set a procedure leaves out that grades by the others."""
+    said = []
+    for name, found in corridors.items():
+        named = [c.corridor.partition("/") for c in procedure.criteria if c.corridor]
+        used = {entry for owner, _, entry in named if owner == name}
+        left = [entry for entry in found.entries if entry not in used]
+        if used and left:
+            said.append(Reason.of("corridor-not-graded", corridors=name, entries=left))
+    return said
 
 
 def _reason(row: PreconditionResult) -> Reason:

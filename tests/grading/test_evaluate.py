@@ -15,6 +15,7 @@ from certkit.definitions.loading.library import load
 from certkit.documents.result import PreconditionResult, Quality
 from certkit.errors import DataError, UsageError
 from certkit.grading import DecisionRule, criterion_values, measure_all
+from certkit.grading.remarks import left_ungraded
 
 WINDOW = corridor_set(windows={"T1": {"lower": "235 N·m", "upper": "272 N·m"}})
 SHEET = procedure({"id": "T1", "corridor": "set/T1"})
@@ -301,3 +302,12 @@ def test_a_pendulum_test_never_passes_with_anything_missing(channel: str, how: s
     result = grade(PENDULUM, corridors, rec)
     assert result.verdict != "pass"
     assert next(c for c in result.criteria if c.id == channel).verdict == "not evaluated"
+
+
+def test_a_corridor_that_the_procedure_leaves_out_is_named():
+    pendulum = load("procedure", "pendulum").document
+    corridors = {"r127-pendulum": load("corridors", "r127-pendulum").document}
+    assert left_ungraded(pendulum, corridors) == []
+    without = pendulum.model_copy(update={"criteria": [c for c in pendulum.criteria if c.id != "T3"]})
+    (reason,) = left_ungraded(without, corridors)
+    assert (reason.code, reason.parameters["entries"]) == ("corridor-not-graded", ["T3"])

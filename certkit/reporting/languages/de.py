@@ -246,6 +246,7 @@ REASONS = MappingProxyType(
         "record-ends-early": "die Aufzeichnung endet bei {end:.4g} ms mit {share:.0%} der Spitze: ob die Spitze vorüber ist, ist nicht bekannt",
         "moment-pattern": "{channel} liegt um {share:.0%} des größten Moments neben der Linie zwischen {others:and}; so biegt sich kein Bein: Messstellen und Reihenfolge prüfen.",
         "accepted-leniently": "Mit --lenient angenommen, nicht durch die Daten belegt: {reason}.",
+        "corridor-not-graded": "{corridors} enthält auch {entries:list}; dieses Verfahren bewertet das nicht.",
         "interval-rests-on-doubt": "der Bewertungszeitraum beruht auf {channel}: {reason}",
         "interval-end-decides": "{criterion}: der Bewertungszeitraum steht auf der Kippe: ein um 2 ms anderes Ende ändert den Wert um {moved:.3g} {unit}, der Abstand beträgt {margin:.3g} {unit}.",
         "peak-near-interval": "{criterion}: eine größere Spitze von {value:.4g} {unit} liegt bei {time:.1f} ms, knapp außerhalb des Bewertungszeitraums, der bei {end:.1f} ms endet.",

@@ -106,6 +106,7 @@ REASONS = MappingProxyType(
         "record-ends-early": "the record ends at {end:.4g} ms with {share:.0%} of the peak left: the peak cannot be known to be over",
         "moment-pattern": "{channel} lies {share:.0%} of the largest moment off the line between {others:and}; no leg bends so: check gauges and order.",
         "accepted-leniently": "Accepted with --lenient, not shown by the data: {reason}.",
+        "corridor-not-graded": "{corridors} also has {entries:list}, which this procedure does not grade.",
         "interval-rests-on-doubt": "the assessment interval rests on {channel}: {reason}",
         "interval-end-decides": "{criterion}: the assessment interval is a knife edge: another end by 2 ms moves the value by {moved:.3g} {unit}, the margin is {margin:.3g} {unit}.",
         "peak-near-interval": "{criterion}: a larger peak of {value:.4g} {unit} lies at {time:.1f} ms, just outside of the assessment interval that ends at {end:.1f} ms.",

@@ -246,6 +246,7 @@ REASONS = MappingProxyType(
         "record-ends-early": "記録はピークの {share:.0%} が残る {end:.4g} ms で終わる: ピークが過ぎたか分からない",
         "moment-pattern": "{channel} は {others:and} を結ぶ線から最大モーメントの {share:.0%} 外れる。脚はそのように曲がらない: ゲージと順序を確認すること。",
         "accepted-leniently": "--lenient で受け入れた仮定 (データによる裏付けなし): {reason}。",
+        "corridor-not-graded": "{corridors} には {entries:list} もあるが、この手順では判定しない。",
         "interval-rests-on-doubt": "評価区間は {channel} に基づく: {reason}",
         "interval-end-decides": "{criterion}: 評価区間の終わりが結果を左右する: 2 ms ずれると値が {moved:.3g} {unit} 変わり、余裕は {margin:.3g} {unit}。",
         "peak-near-interval": "{criterion}: {end:.1f} ms で終わる評価区間のすぐ外、{time:.1f} ms により大きなピーク {value:.4g} {unit} がある。",
