@@ -51,6 +51,10 @@ def rounded_all(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
     return listed
 
 
+SMALLEST_PEAK = 1e-290
+"""A channel that stays below is as good as zero; the power of ten that its floor asks for is no number."""
+
+
 def rounded_series(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
     """Round the samples of one channel: seven digits each, and none finer than `FLOOR_DIGITS` of the largest.
 
@@ -61,7 +65,7 @@ def rounded_series(values: Sequence[float] | NDArray[np.float64]) -> list[float]
 
     given = np.asarray(values, dtype=np.float64)
     peak = rounded(float(np.abs(given).max(initial=0.0)))
-    if peak == 0 or not math.isfinite(peak):
+    if peak < SMALLEST_PEAK or not math.isfinite(peak):
         return rounded_all(given)
     decimals = FLOOR_DIGITS - 1 - math.floor(math.log10(peak))
     # Twice: the floor first, so that what is left of a small sample is short when its digits are rounded.

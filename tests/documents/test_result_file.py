@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import warnings
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,7 +15,7 @@ from support.sheets import PROVENANCE, TIME, bump, corridor_set, grade, procedur
 
 from certkit.documents.channel_curves import drawn_curves, raw_channels, recording_of, thinned
 from certkit.documents.result import Quality, Result
-from certkit.documents.rounding import rounded, rounded_all
+from certkit.documents.rounding import rounded, rounded_all, rounded_series
 from certkit.errors import DataError, UsageError
 from certkit.grading import exit_code, with_spread, worst
 from certkit.reporting.language import worded
@@ -130,6 +131,13 @@ def test_a_document_never_holds_what_is_no_number():
 def test_many_numbers_are_rounded_like_one(values: list[float]):
     for one, given_value in zip(rounded_all(values), values, strict=True):
         assert one == pytest.approx(rounded(given_value), rel=2e-7, abs=0)
+
+
+@pytest.mark.parametrize("peak", [5e-324, 1e-300, 1e-290, 1e-6])
+def test_a_channel_of_hardly_anything_is_rounded_without_a_complaint(peak: float):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert rounded_series([peak, 0.0, -peak]) == pytest.approx([peak, 0.0, -peak], rel=1e-6)
 
 
 @given(st.floats(1e-12, 1e12))
