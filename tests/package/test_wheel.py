@@ -50,8 +50,8 @@ def test_an_installed_wheel_runs_a_procedure_from_another_folder(wheel: Path, tm
         text=True,
         check=False,
     )
-    assert done.returncode == 0, done.stderr
+    assert done.returncode == 4, done.stderr  # no area is known to grade by
     folder = elsewhere / "runs" / "static-tibia"
-    assert json.loads((folder / "result.json").read_text())["verdict"] == "pass"
+    assert json.loads((folder / "result.json").read_text())["verdict"] == "not evaluated"
     assert (folder / "report.html").stat().st_size > 0
     assert (folder / "report.pdf").read_bytes().startswith(b"%PDF")

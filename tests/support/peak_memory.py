@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import os
+import json
 import subprocess
 import sys
-import tempfile
 from collections.abc import Callable
 from multiprocessing import get_context
 from pathlib import Path
@@ -26,18 +25,30 @@ class Taken(NamedTuple):
     said: str
 
 
+LAUNCHER = (
+    "import json, os, subprocess, sys\n"
+    "null = subprocess.DEVNULL\n"
+    "child = subprocess.Popen(sys.argv[1:], stdin=null, stdout=null, stderr=subprocess.PIPE)\n"
+    "said = child.stderr.read()\n"
+    "_, status, usage = os.wait4(child.pid, 0)\n"
+    "code = os.waitstatus_to_exitcode(status)\n"
+    "seconds = usage.ru_utime + usage.ru_stime\n"
+    "print(json.dumps([code, seconds, usage.ru_maxrss / 1000, said.decode(errors='replace')]))"
+)
+"""A small process that starts the command: a child's peak begins at the size of its parent."""
+
+
 def taken(arguments: list[str], folder: Path) -> Taken:
     """Run certkit in a process of its own and look at what it took."""
-    with tempfile.TemporaryFile() as said:
-        command = ["timeout", str(LONGEST), sys.executable, "-m", "certkit", *arguments]
-        child = subprocess.Popen(
-            command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=said
-        )
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-        said.seek(0)
-        text = said.read().decode("utf-8", errors="replace")
-    return Taken(child.returncode, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1000, text)
+    command = ["timeout", str(LONGEST), sys.executable, "-m", "certkit", *arguments]
+    done = subprocess.run(
+        [sys.executable, "-S", "-c", LAUNCHER, *command],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return Taken(*json.loads(done.stdout))
 
 
 COMMANDS: tuple[tuple[tuple[Callable[[Path], Path], ...], tuple[str, ...]], ...] = (
