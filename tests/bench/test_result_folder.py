@@ -189,7 +189,7 @@ def test_a_changed_test_without_out_is_numbered_and_with_out_refused(certkit: Co
 
 
 def test_a_figure_or_an_export_of_other_content_is_refused(certkit: Command, tmp_path: Path):
-    assert certkit("run", "static-femur", "--format", "junit", "--out", "a").returncode in {0, 4}
+    assert certkit("run", "static-femur", "--format", "junit", "--out", "a").returncode == 4
     for command in (("figure", "a/result.json", "--out", "a.svg"), ("export", "a", "a.csv")):
         assert certkit(*command).returncode == 0
         assert certkit(*command).returncode == 0
