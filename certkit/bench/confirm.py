@@ -134,6 +134,11 @@ class ConfirmationSession:
     def _put(self, entry: ListedParameter, value: str) -> ListedParameter:
         """Write one's own copy of the definition with another value, and read it."""
         target = self.library / KINDS[self.loaded.kind].folder / f"{self.loaded.name}.yaml"
+        if target.exists() and hashlib.sha256(read_bytes(target)).hexdigest() != self.loaded.sha256:
+            raise UsageError(
+                f"{target}: exists, and is another than the {self.loaded.path} that was begun with; name "
+                "that file, or another --library"
+            )
         text = with_value(self.loaded, entry, value)
         write_whole(target, text)
         self.loaded = load(self.loaded.kind, target)

@@ -13,7 +13,9 @@ from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.result import InputFile
+from certkit.errors import DataError
 from certkit.exchange.read import read_recording
+from certkit.files.limits import MAX_CARRIED_VALUES
 from certkit.grading import NO_LABORATORY, evaluate, measure_all
 from certkit.reasons import Reason
 from certkit.reporting.language import worded
@@ -23,6 +25,7 @@ if TYPE_CHECKING:
     from certkit.definitions.loading.library import Library
     from certkit.definitions.loading.overrides import Overrides
     from certkit.documents.result import Result
+    from certkit.signals import Recording
 
 
 def grade(
@@ -68,6 +71,7 @@ def grade(
     if (data / "result.json").is_file():
         data = data / "channels.csv"  # the folder of a run
     read = read_recording(data, own, lenient=lenient, tables=(channels,))
+    _check_amount(read.recording, data)
     lab = read_laboratory(laboratory, channels) if laboratory else NO_LABORATORY
     conditions = merged_conditions(read.told, lab.conditions, str(laboratory))
     files = (
@@ -95,6 +99,23 @@ def _mapping(path: Path | None, channels: ChannelTable) -> tuple[Mapping | None,
     mapping = validate(read_tree(data, str(path)), Mapping, channels=channels)
     digest = hashlib.sha256(data).hexdigest()
     return mapping, [InputFile(role="mapping", path=path.name, sha256=digest, text=data.decode("utf-8-sig"))]
+
+
+def _check_amount(recording: Recording, data: Path) -> None:
+    """Refuse more samples than a certificate can carry, before they are graded.
+
+    Raises
+    ------
+    DataError
+        When there are.
+    """
+    channels, samples = len(recording.channels), recording.time.size
+    if channels * samples > MAX_CARRIED_VALUES:
+        raise DataError(
+            f"{data}: {channels} channels of {samples:,} samples are more than a certificate can carry "
+            f"({MAX_CARRIED_VALUES:,} values); cut the record to the test: no test lasts "
+            f"{samples * recording.interval:.3g} s"
+        )
 
 
 def _shown(data: Path, name: str) -> str:

@@ -97,7 +97,7 @@ def _render(  # noqa: PLR0913  # what `render` is asked for
     beside: Callable[[Path], Sequence[Path]],
 ) -> list[Path]:
     with result_switch(folder, document, force=force, tell=tell) as stage:
-        text = document.to_json()
+        text = document.readable_json()
         write_whole(stage / document.file_name, text)
         written = [stage / document.file_name, *_vehicle(document, stage), *beside(stage)]
         if asked:

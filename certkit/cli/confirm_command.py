@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+
 if TYPE_CHECKING:
     from certkit.bench.confirm import ConfirmationSession
 
@@ -46,6 +48,7 @@ def confirm(
         Path | None,
         typer.Option("--table", metavar="FILE.csv", help="Take a filled-in table."),
     ] = None,
+    force: options.Force = False,
 ) -> None:
     """Hold the numbers of a definition against the text itself, one by one.
 
@@ -57,7 +60,7 @@ def confirm(
 
     session = open_confirmation(definition, by=by, library=library, kind=kind, title=title, document=document)
     if write_table is not None:
-        _write(session, write_table, countersigning=countersign)
+        _write(session, write_table, countersigning=countersign, force=force)
         return
     if table is not None:
         _take(session, table, countersigning=countersign)
@@ -96,18 +99,18 @@ def _ask(session: ConfirmationSession, *, countersigning: bool) -> None:
             break
 
 
-def _write(session: ConfirmationSession, path: Path, *, countersigning: bool) -> None:
+def _write(session: ConfirmationSession, path: Path, *, countersigning: bool, force: bool) -> None:
     import csv  # noqa: PLC0415  # beside its only use
     import io  # noqa: PLC0415  # likewise
 
-    from certkit.files import write_whole  # noqa: PLC0415  # likewise
+    from certkit.bench.result_folder import write_alone  # noqa: PLC0415  # likewise
 
     held = io.StringIO()
     writer = csv.writer(held, lineterminator="\r\n")
     writer.writerow(HEADS)
     for entry in session.waiting(countersigning=countersigning):
         writer.writerow([_guarded(cell) for cell in (entry.path, entry.value, entry.source, "", "")])
-    write_whole(path, "\ufeff" + held.getvalue())
+    write_alone(path, "\ufeff" + held.getvalue(), force=force)
     typer.echo(f"wrote {path}: fill in `answer` (yes, no, or the text's value) and `place`,", err=True)
     typer.echo(f"then: --table {path}", err=True)
 

@@ -129,8 +129,29 @@ class OutputDocument(Part):
         return cls.from_json(content_of(path, f"{cls.file_name} that `{cls.made_by}` wrote"), str(path))
 
     def write(self, path: Path) -> None:
-        """Write the document; nobody ever sees half of it."""
-        write_whole(path, self.to_json())
+        """Write the document; nobody ever sees half of it.
+
+        Raises
+        ------
+        DataError
+            When it is so large that nobody could read it back.
+        """
+        write_whole(path, self.readable_json())
+
+    def readable_json(self) -> str:
+        """Return `to_json`, if it may be read back.
+
+        Raises
+        ------
+        DataError
+            When it is larger than what `from_json` takes.
+        """
+        text = self.to_json()
+        try:
+            check_size(text, self.file_name)
+        except DataError as error:
+            raise DataError(f"{error}; nothing was written: take less into one {self.noun}") from error
+        return text
 
     def as_written(self) -> Self:
         """Return the document with the digits that its JSON keeps.

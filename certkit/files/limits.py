@@ -49,10 +49,19 @@ MAX_DOCUMENT_WORDS = 400_000
 """Commas and opening brackets in a document, all and those with no number behind: it cannot have more values.
 A certificate of a simulated test has 130,000. To tell what is wrong with a value takes 600 bytes."""
 
+MAX_CARRIED_VALUES = 700_000
+"""Samples of all channels of one test, which its certificate carries: 12 channels of 2.9 s at 20 kHz."""
+
+MAX_KEPT_SAMPLES = 40_000
+"""Of a simulated test: 1.6 s as they are usually kept, 16 channels of them a document's values."""
+
 MAX_DEFINITION_BYTES = 2 * MEGABYTE
 MAX_DEFINITION_DEPTH = 40
 MAX_DEFINITION_VALUES = 200_000
 """Of a YAML file; aliases count with all they stand for."""
 
 MAX_RUNS = 1_000_000
-"""Of a study."""
+"""Of a study or a fit."""
+
+MAX_SETTINGS = 10_000_000
+"""Of a study: its runs times its parameters."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import RunError
+from certkit.files.limits import MAX_KEPT_SAMPLES
 from certkit.mechanics.fixtures.fixture_model import model_of
 from certkit.mechanics.fixtures.rig_assembly import RigAssembly
 from certkit.mechanics.legform.leg import add_leg
@@ -194,6 +195,11 @@ def _plan(procedure: Procedure, rig: RigAssembly, step: float, iterations: int, 
     if until > 10 * TAIL:
         until += TAIL
     sample = sample or max(1, round(2 * STEP / step))
+    if until / (step * sample) > MAX_KEPT_SAMPLES:
+        raise RunError(
+            f"a run of {until:g} s with a sample every {step * sample:g} s is more than a document can hold; "
+            f"at most {MAX_KEPT_SAMPLES:,} samples are kept: give `until` less"
+        )
     frame = max(1, round(FRAME / (step * sample))) * sample
     return Plan(step, until, rig.longest_approach + until, sample, frame, rig.contact_law, iterations)
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from itertools import product
+from math import prod
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from certkit.errors import UsageError
-from certkit.files.limits import MAX_RUNS
+from certkit.files.limits import MAX_RUNS, MAX_SETTINGS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 def one_at_a_time(factors: Sequence[Factor], levels: int) -> list[Point]:
     """Vary each factor alone over its levels, the others at their middle; the first run is the middle."""
+    check_runs(1 + len(factors) * levels, len(factors), "study of one at a time")
     middle: dict[str, float | str] = {factor.name: factor.middle for factor in factors}
     varied = [
         {**middle, factor.name: value}
@@ -31,21 +33,38 @@ def one_at_a_time(factors: Sequence[Factor], levels: int) -> list[Point]:
     return [middle, *varied]
 
 
+def check_runs(runs: int, factors: int, wanted: str) -> None:
+    """Refuse too many runs, before a single point is made.
+
+    Parameters
+    ----------
+    runs, factors : int
+    wanted : str
+        What asks for them.
+
+    Raises
+    ------
+    UsageError
+        Above `MAX_RUNS`, or `MAX_SETTINGS` for all runs together.
+    """
+    most = min(MAX_RUNS, MAX_SETTINGS // max(1, factors))
+    if runs > most:
+        raise UsageError(
+            f"a {wanted} of {factors} parameters has {runs:,} runs; more than {most:,} are refused: take a "
+            "smaller one, or split it (the bounds are MAX_RUNS and MAX_SETTINGS in certkit/files/limits.py)"
+        )
+
+
 def full_factorial(factors: Sequence[Factor], levels: int) -> list[Point]:
     """Take every combination of the factors' levels.
 
     Raises
     ------
     UsageError
-        When there are more than a million.
+        When there are too many.
     """
     grids = [factor.levels(levels) for factor in factors]
-    runs = int(np.prod([float(len(grid)) for grid in grids]))
-    if runs > MAX_RUNS:
-        raise UsageError(
-            f"a full factorial of {len(factors)} factors has {runs} runs; more than {MAX_RUNS} are refused: "
-            "take a latin hypercube, or split the study (the bound is MAX_RUNS in certkit/files/limits.py)"
-        )
+    check_runs(prod(len(grid) for grid in grids), len(factors), "full factorial")
     names = [factor.name for factor in factors]
     return [dict(zip(names, values, strict=True)) for values in product(*grids)]
 
@@ -64,6 +83,7 @@ def latin_hypercube(
     """
     from scipy.stats import qmc  # noqa: PLC0415  # scipy is slow to import
 
+    check_runs(runs, len(factors), "latin hypercube")
     shares = qmc.LatinHypercube(len(factors), rng=np.random.default_rng(seed)).random(runs)
     return at_shares(factors, _correlated(shares, correlation))
 
@@ -74,8 +94,10 @@ def sobol_sequence(
     """Fill the space evenly with a scrambled Sobol sequence, rounded up to a power of two."""
     from scipy.stats import qmc  # noqa: PLC0415  # scipy is slow to import
 
+    power = (runs - 1).bit_length()
+    check_runs(1 << power, len(factors), "sobol sequence")
     sequence = qmc.Sobol(len(factors), rng=np.random.default_rng(seed))
-    return at_shares(factors, _correlated(sequence.random_base2((runs - 1).bit_length()), correlation))
+    return at_shares(factors, _correlated(sequence.random_base2(power), correlation))
 
 
 def at_shares(factors: Sequence[Factor], shares: NDArray[np.float64]) -> list[Point]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from certkit.errors import RunError, UsageError
-from certkit.studies.designs import at_shares
+from certkit.studies.designs import at_shares, check_runs
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,6 +24,7 @@ LEVELS = 4  # of a Morris grid, as Morris (1991) recommends
 
 def morris_design(factors: Sequence[Factor], trajectories: int, seed: int) -> list[Point]:
     """Return the runs of a Morris screening: trajectories × (k + 1)."""
+    check_runs(trajectories * (len(factors) + 1), len(factors), "morris screening")
     sample = _salib("SALib.sample.morris").sample
     return at_shares(factors, sample(_problem(factors), trajectories, num_levels=LEVELS, seed=_seed(seed)))
 
@@ -61,8 +62,9 @@ def morris_indices(
 
 def sobol_design(factors: Sequence[Factor], samples: int, seed: int) -> list[Point]:
     """Return the runs for Sobol indices: samples × (k + 2), samples a power of two."""
-    sample = _salib("SALib.sample.sobol").sample
     power = 1 << (samples - 1).bit_length()
+    check_runs(power * (len(factors) + 2), len(factors), "study of sobol indices")
+    sample = _salib("SALib.sample.sobol").sample
     return at_shares(factors, sample(_problem(factors), power, calc_second_order=False, seed=_seed(seed)))
 
 

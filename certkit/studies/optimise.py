@@ -14,7 +14,7 @@ import numpy as np
 from certkit.definitions.corridor_set import ValueWindow
 from certkit.errors import RunError, UsageError
 from certkit.grading.corridors import Corridor, find_corridor, limits
-from certkit.studies.designs import at_shares
+from certkit.studies.designs import at_shares, check_runs
 from certkit.studies.factors import Factor, Uniform
 from certkit.studies.quantity import share, written
 from certkit.studies.run_table import table_of
@@ -157,6 +157,7 @@ def optimise(sheet: Study, factors: Sequence[Factor], held: Mapping[str, Limit],
     wrong = [factor.name for factor in factors if not isinstance(factor.distribution, Uniform)]
     if wrong:
         raise UsageError(f"{wrong[0]}: a parameter to optimise needs `uniform` bounds")
+    check_runs(wanted.evaluations, len(factors), "search")
     search = _Search(factors, held, margin, wanted, runs)
     ways = [(1.0, 0.0)]
     if len(wanted.aims) == 2:

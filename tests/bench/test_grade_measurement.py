@@ -13,7 +13,10 @@ import pytest
 from support.damage import DAMAGES
 from support.pendulum_recording import pendulum_like
 
+from certkit.bench import grade_measurement
+from certkit.bench.run_simulation import run
 from certkit.cli import main
+from certkit.errors import DataError, RunError
 from certkit.exchange.channels_csv import write_csv
 from certkit.exchange.mme_write import write_mme
 
@@ -216,3 +219,16 @@ def test_a_simulated_test_grades_alike_after_every_export(certkit: Command, tmp_
     for data in (run, run / "channels.csv"):
         _, result = grade(certkit, data)
         assert (result["kind"], result["verdict"]) == ("virtual certification", own["verdict"])
+
+
+def test_a_record_longer_than_a_certificate_can_carry_is_refused_before_it_is_graded(
+    table: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(grade_measurement, "MAX_CARRIED_VALUES", 5_000)
+    with pytest.raises(DataError, match=r"channels of [\d,]+ samples are more than a certificate can carry"):
+        grade_measurement.grade("pendulum", table)
+
+
+def test_a_run_longer_than_a_document_can_hold_is_refused_before_it_is_simulated():
+    with pytest.raises(RunError, match=r"a run of 3\.002 s .* is more than a document can hold"):
+        run("inverse", overrides={"run.until": "3 s"})

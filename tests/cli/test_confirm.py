@@ -115,6 +115,27 @@ def test_a_number_that_is_changed_afterwards_is_confirmed_no_longer(desk: Path):
     assert any("confirmed no longer" in note for note in result.notes)
 
 
+def test_ones_own_other_copy_and_a_filled_in_table_are_not_written_over(desk: Path):
+    mine = desk / "elsewhere" / "r127-inverse.yaml"
+    mine.parent.mkdir()
+    text = (shipped_root() / "corridors" / "r127-inverse.yaml").read_text("utf-8")
+    mine.write_text(text, "utf-8")
+    ours = desk / "library" / "corridors" / "r127-inverse.yaml"
+    ours.parent.mkdir(parents=True)
+    ours.write_text(text.replace("230 N·m", "229 N·m"), "utf-8")
+    session = open_confirmation(mine, by="M. Weber", title=TITLE)
+    with pytest.raises(UsageError, match="is another than"):
+        session.answer("windows.T1", "231 N·m to 272 N·m", "1.4")
+    assert "229 N·m" in ours.read_text("utf-8")
+    (desk / "open.csv").write_text("filled in", "utf-8")
+    table = (*WORDS, "--write-table", "open.csv")
+    with pytest.raises(UsageError, match="exists with other content"):
+        told(*table)
+    assert (desk / "open.csv").read_text("utf-8") == "filled in"
+    assert told(*table, "--force").exit_code == 0
+    assert "windows.T1" in (desk / "open.csv").read_text("utf-8-sig")
+
+
 def test_a_table_does_as_well_as_the_keyboard(desk: Path):
     told(*WORDS, "--document", "R127.pdf", "--write-table", "open.csv")
     rows = list(csv.DictReader((desk / "open.csv").read_text("utf-8-sig").splitlines()))

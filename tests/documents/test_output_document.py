@@ -82,6 +82,14 @@ def test_a_document_is_read_back_as_it_was_written(tmp_path: Path):
     assert again.content_id() == again.id
 
 
+def test_what_could_not_be_read_back_is_not_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    document = sheet()
+    monkeypatch.setattr("certkit.documents.output_document.MAX_DOCUMENT_VALUES", 3)
+    with pytest.raises(DataError, match=r"more values than a document can have.*nothing was written"):
+        document.write(tmp_path / "out" / "x.json")
+    assert not (tmp_path / "out").exists()
+
+
 def test_damage_is_told_with_its_line_and_column():
     with pytest.raises(
         DataError, match=r"^here\.json:2:\d+: damaged: .*; make it again with `certkit sheet`"

@@ -69,6 +69,21 @@ def test_leaving_the_fascia_out_of_what_lies_upstream_costs_several_per_cent(
     assert np.sqrt(np.mean((without - force) ** 2)) > 0.03 * force.max()
 
 
+def test_a_contact_that_recorded_nothing_does_not_close(tmp_path: Path) -> None:
+    folder = CASES / "bumper-reference"
+    for name in ("case-tidy.yaml", "foam-curve.csv"):
+        (tmp_path / name).write_bytes((folder / name).read_bytes())
+    head, *rows = (folder / "histories.csv").read_text("utf-8").splitlines()
+    place = head.split(",").index("J_fascia_foam_Ns")
+    dead = [",".join("0" if n == place else cell for n, cell in enumerate(row.split(","))) for row in rows]
+    (tmp_path / "histories.csv").write_text("\n".join([head, *dead]), "utf-8")
+    result = extract(load("case", tmp_path / "case-tidy.yaml").document, tmp_path)
+    path = next(p for p in result.paths if p.name == "fascia – beam")
+    assert path.closures[0].percent == pytest.approx(100)
+    assert any("impulse does not close" in warning for warning in result.warnings)
+    assert not result.closed
+
+
 def test_a_result_survives_its_json(reference: ExtractionResult) -> None:
     text = reference.to_json()
     assert ExtractionResult.from_json(text).to_json() == text

@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING, get_args
 
 import pytest
 from support.forty_tests import BEGIN, CERTIFICATIONS, document, forty
+from typer.testing import CliRunner
 
+from certkit.cli import app
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.output_document import listed_json
 from certkit.documents.result import InputFile, Kind, Provenance
@@ -180,6 +182,17 @@ def test_the_page_is_the_same_after_the_index_was_deleted_and_made_again(logbook
     logbook.index.unlink()
     assert rebuild(logbook) == 40
     assert logbook_page([overview(logbook, serial) for serial in logbook.serials()]) == before
+
+
+def test_the_page_replaces_no_other_file_unless_it_is_told_to(logbook: Logbook, tmp_path: Path):
+    page = tmp_path / "page.html"
+    page.write_text("mine", "utf-8")
+    words = ["history", "show", "A-1", "--logbook", str(logbook.folder), "--html", str(page)]
+    refused = CliRunner().invoke(app, words)
+    assert isinstance(refused.exception, UsageError) or refused.exit_code == 2
+    assert page.read_text("utf-8") == "mine"
+    assert CliRunner().invoke(app, [*words, "--force"]).exit_code in {0, 1}
+    assert "A-1" in page.read_text("utf-8")
 
 
 @pytest.mark.parametrize(

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
 from certkit.definitions.study import StudyParameter
 from certkit.errors import UsageError
+from certkit.studies import designs
 from certkit.studies.designs import (
     correlation_matrix,
     full_factorial,
@@ -15,6 +18,7 @@ from certkit.studies.designs import (
     sobol_sequence,
 )
 from certkit.studies.factors import Factor, Levels, NormalFactor, Triangular, Uniform, factor_of
+from certkit.studies.indices import morris_design, sobol_design
 
 A = Factor("a", "mm", Uniform(0.0, 10.0), 4.0)
 B = Factor("b", "kg", NormalFactor(5.0, 0.5))
@@ -35,10 +39,24 @@ def test_a_full_factorial_takes_every_combination_once() -> None:
     assert len({tuple(p.items()) for p in points}) == len(points) == 8
 
 
-def test_a_full_factorial_beyond_reason_is_refused() -> None:
-    factors = [Factor(f"f{i}", "", Uniform(0.0, 1.0)) for i in range(20)]
-    with pytest.raises(UsageError, match="latin hypercube"):
-        full_factorial(factors, 3)
+MANY = [Factor(f"f{i}", "", Uniform(0.0, 1.0)) for i in range(20)]
+BEYOND_REASON: dict[str, Callable[[], object]] = {
+    "full factorial": lambda: full_factorial(MANY, 4),
+    "one at a time": lambda: one_at_a_time(25 * MANY, 100),
+    "latin hypercube": lambda: latin_hypercube(MANY, 600_000, 1),
+    "sobol sequence": lambda: sobol_sequence([A], 1_000_000, 1),
+    "morris screening": lambda: morris_design(MANY, 10_000_000, 1),
+    "sobol indices": lambda: sobol_design(MANY, 500_000, 1),
+}
+
+
+@pytest.mark.parametrize("design", BEYOND_REASON)
+def test_a_design_beyond_reason_is_refused_before_it_is_made(
+    design: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(designs, "at_shares", None)
+    with pytest.raises(UsageError, match=rf"{design}.* has [\d,]+ runs; more than [\d,]+ are refused"):
+        BEYOND_REASON[design]()
 
 
 def test_a_latin_hypercube_has_one_run_in_every_slice() -> None:

@@ -17,6 +17,7 @@ from certkit.studies.calibration.parameter_space import Space, space_of
 from certkit.studies.calibration.recorded_targets import recorded_curves, recorded_goals
 from certkit.studies.calibration.search import Misfit, downhill, everywhere
 from certkit.studies.calibration.targets import Goal, distances, goals_of
+from certkit.studies.designs import check_runs
 from certkit.studies.execution import USUAL, Execution
 from certkit.studies.runs import Runs
 from certkit.studies.trial import Trial
@@ -121,6 +122,8 @@ def make_ready(document: CalibrationTask | str | Path, library: Sequence[Path] =
         fixed={"legform": sheet.legform},
         library=tuple(str(Path(folder)) for folder in library),
     )
+    looked_for = sheet.search
+    check_runs(looked_for.population * (looked_for.generations + 1), len(sheet.parameters), "global search")
     space = space_of(sheet.parameters, trial.nominals(p.name for p in sheet.parameters))
     curves = recorded_curves([target for target in sheet.targets if target.to == "recording"], folder)
     trial = replace(trial, units={axis.name: axis.unit for axis in space.axes}, curves=tuple(curves.values()))
