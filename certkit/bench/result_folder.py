@@ -1,7 +1,8 @@
 """What a result folder holds, and whether a new result may take its place.
 
 Nothing is overwritten in silence. The same result again may replace what is there: the same id, or the same
-inputs with the same verdict, as after an update of certkit. A study or a fit of the same name may too: all of
+inputs with the same verdict, as after an update of certkit, or one test again from another file, with the
+same values under the same conditions. A study or a fit of the same name may too: all of
 its runs stay in its journal. Anything else is another result, and stays unless the user says `--force`.
 """
 
@@ -189,6 +190,8 @@ def _refuse_another(
 
 _COMPARED = ("kind", "procedure", "verdict", "study", "fit", "case", "inputs", "provenance")
 
+_TEST = ("kind", "procedure", "verdict", "criteria", "conditions", "preconditions", "specimen", "coded_remarks")
+
 
 def _is_same(document: OutputDocument, old: Mapping[str, Any]) -> bool:
     """Tell whether a document is of the same id as an old one, of the same inputs, or of one study or fit."""
@@ -199,7 +202,15 @@ def _is_same(document: OutputDocument, old: Mapping[str, Any]) -> bool:
         if new.get(name) is not None:
             return bool(old.get(name) == new[name])
     keys = (_key(old), _key(new))
-    return keys[0] is not None and keys[0] == keys[1]
+    return (keys[0] is not None and keys[0] == keys[1]) or _is_same_test(document, old)
+
+
+def _is_same_test(document: OutputDocument, old: Mapping[str, Any]) -> bool:
+    """Tell whether a test evaluation says just what an old one does: exported again, in another form."""
+    told = set(_TEST)
+    new: Mapping[str, Any] = document.model_dump(mode="json", include=told, by_alias=True)
+    measured = new.get("kind") == "test evaluation" and bool(new.get("criteria"))
+    return measured and all(old.get(key) == new.get(key) for key in told)
 
 
 def _key(fields: Mapping[str, Any]) -> str | None:

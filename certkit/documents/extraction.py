@@ -205,7 +205,8 @@ class ExtractionResult(OutputDocument):
     inputs : dict of str to str
         SHA-256 by file name: the case and all histories.
     closed : bool or None
-        Whether the impulse of every path that carries something closes within the case's limit.
+        Whether the impulse of every path that carries something closes within the case's limit; None where
+        a path with a law is known from one side only, so that nothing tells.
     checks : tuple of SelfCheck
     """
 

@@ -41,7 +41,7 @@ class Closure:
     residual : float
         Largest difference in N·s.
     impulse : float
-        Impulse that passed, N·s.
+        Impulse that passed, N·s, by the side that shows more of it; above zero.
     """
 
     title: str
@@ -51,7 +51,7 @@ class Closure:
     @property
     def percent(self) -> float:
         """Residual in per cent of the impulse that passed."""
-        return 100.0 * self.residual / self.impulse if self.impulse > 0 else 0.0
+        return 100.0 * self.residual / self.impulse
 
 
 @dataclass(frozen=True)
@@ -129,11 +129,10 @@ def flows(graph: Graph, momenta: dict[str, Values], histories: PartHistories, gr
         closures = [c for groups, c in balances if link.source in groups or link.target in groups]
         contact = contacts.get(link.name)
         if contact is not None and link.name in solved:
-            difference = float(np.max(np.abs(contact - impulse)))
             title = f"{link.name}: momentum upstream against recorded contact"
-            # A dead contact recorded nothing: what it misses is all that passed.
-            passed = float(np.max(np.abs(contact))) or float(np.max(np.abs(impulse)))
-            closures.insert(0, Closure(title, difference, passed))
+            passed = float(max(np.max(np.abs(contact)), np.max(np.abs(impulse))))
+            if passed > 0:  # where neither side shows an impulse, nothing closes
+                closures.insert(0, Closure(title, float(np.max(np.abs(contact - impulse))), passed))
         known = BY_MOMENTUM if link.name in solved else BY_SPRING if link.spring else BY_CONTACT
         force = (
             grid.smooth(grid.resample(histories.spring(link.spring).force))
@@ -218,7 +217,9 @@ def _solve(
             title = f"all impulse into and out of {', '.join(names)}"
             change = float(np.max(np.abs(needed.sum(axis=0))))
             own = max(float(np.max(np.abs(momenta[g] - momenta[g][0]))) for g in names)
-            balances.append((groups, Closure(title, change, max(0.5 * float(np.max(through)), own))))
+            passed = max(0.5 * float(np.max(through)), own)
+            if passed > 0:
+                balances.append((groups, Closure(title, change, passed)))
     return solved, balances
 
 

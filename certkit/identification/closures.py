@@ -8,22 +8,25 @@ if TYPE_CHECKING:
     from certkit.identification.first_steps import FirstSteps
 
 
-def closes(steps: FirstSteps, warnings: list[str]) -> bool:
+def closes(steps: FirstSteps, warnings: list[str]) -> bool | None:
     """Tell whether the impulse of every path that carries something closes; say where nothing tells.
 
     A path without a law of its own (`law: false`) may have no second side.
+
+    Returns
+    -------
+    bool or None
+        None when no balance misses the limit, but a path has none: its impulse is known from one side only.
     """
     limit = steps.case.settings.closure_limit
-    closed = bool(steps.carrying)
-    for flow in steps.carrying:
-        if not flow.closures and flow.link.law:
-            warnings.append(
-                f"{flow.link.name}: nothing tells whether its impulse closes; record a contact or a ground "
-                "spring"
-            )
-            closed = False
-        closed &= all(closure.percent <= limit for closure in flow.closures)
-    return closed
+    if not steps.carrying or any(c.percent > limit for flow in steps.flows for c in flow.closures):
+        return False
+    one_sided = [flow.link.name for flow in steps.carrying if not flow.closures and flow.link.law]
+    warnings += [
+        f"{name}: nothing tells whether its impulse closes; record a contact or a ground spring"
+        for name in one_sided
+    ]
+    return None if one_sided else True
 
 
 def closure_warnings(steps: FirstSteps) -> list[str]:

@@ -61,6 +61,7 @@ def extract(
     notes = [*case.notes, *steps.data.histories.notes]
     fits, sheets = path_laws(steps, warnings, notes, progress)
     warnings += closure_warnings(steps)
+    closed = closes(steps, warnings)
     material, digests = _material(case, steps, fits, case_folder or folder, warnings)
     inputs = {**(case_digest or {}), **steps.data.histories.files, **digests}
     return ExtractionResult(
@@ -81,7 +82,7 @@ def extract(
         notes=tuple(notes),
         inputs=inputs,
         certkit=__version__,
-        closed=closes(steps, warnings),
+        closed=closed,
     ).with_id()
 
 

@@ -59,6 +59,22 @@ def test_the_same_inputs_with_the_same_verdict_replace_an_older_result(result: R
     assert names(tmp_path / "out") == {"result.json"}  # the page was the older one's
 
 
+def test_one_test_exported_in_another_form_replaces_itself_and_another_test_does_not(
+    result: Result, tmp_path: Path
+):
+    measured = result.model_copy(update={"kind": "test evaluation"}).with_id()
+    bench.render(measured, tmp_path / "out", "none")
+    file = measured.provenance.inputs[0].model_copy(update={"sha256": "0" * 64})
+    again = measured.provenance.model_copy(update={"inputs": [file]})
+    exported = measured.model_copy(update={"provenance": again}).with_id()
+    bench.render(exported, tmp_path / "out", "none")
+    assert held(tmp_path / "out") == exported.id != measured.id
+    hotter = exported.model_copy(update={"conditions": {"temperature": 294.0}, "provenance": again})
+    other_file = again.model_copy(update={"inputs": [file.model_copy(update={"sha256": "1" * 64})]})
+    with pytest.raises(AnotherResultError):
+        bench.render(hotter.model_copy(update={"provenance": other_file}).with_id(), tmp_path / "out", "none")
+
+
 @pytest.mark.parametrize("foreign", [False, True])
 def test_force_replaces_as_a_whole_but_leaves_what_is_somebody_elses(
     result: Result, tmp_path: Path, *, foreign: bool

@@ -91,6 +91,43 @@ def found(chain: dict[str, np.ndarray], tmp_path_factory: pytest.TempPathFactory
     return extract(_case(), folder)
 
 
+def _with_contact(chain: dict[str, np.ndarray], folder: Path, factor: float) -> ExtractionResult:
+    """Extract the chain with a recorded contact between impactor and fascia that shows a share of it."""
+    columns = {"time_ms": 1e3 * chain["time"]}
+    for i, name in enumerate(("impactor", "fascia", "beam")):
+        columns[f"P_{name}_Ns"] = MASSES[i] * chain["v"][i]
+        columns[f"x_{name}_mm"] = 1e3 * chain["x"][i]
+    columns["J_Ns"] = factor * MASSES[0] * (SPEED - chain["v"][0])
+    _write(folder / "chain.csv", columns)
+    fields = _case().model_dump(by_alias=True, mode="json", exclude_unset=True)
+    fields["histories"]["contacts"] = {"front": {"impulse": "J_Ns"}}
+    fields["paths"][0]["contact"] = "front"
+    for path in fields["paths"][1:]:
+        path["law"] = False
+    return extract(Case.model_validate(fields), folder)
+
+
+def test_impulse_closes_against_a_contact_that_was_recorded(
+    chain: dict[str, np.ndarray], tmp_path: Path
+) -> None:
+    assert _with_contact(chain, tmp_path, 1.0).closed is True
+
+
+@pytest.mark.parametrize("factor", [0.0, 0.97, 1.03])
+def test_a_contact_that_is_dead_or_shows_another_impulse_does_not_close(
+    chain: dict[str, np.ndarray], tmp_path: Path, factor: float
+) -> None:
+    result = _with_contact(chain, tmp_path, factor)
+    assert result.closed is False
+    assert "impulse does not close: impactor – fascia" in " ".join(result.warnings)
+    assert max(c.percent for c in result.paths[0].closures) > 2.0
+
+
+def test_an_impulse_known_from_one_side_only_is_neither_closed_nor_open(found: ExtractionResult) -> None:
+    assert found.closed is None
+    assert sum("nothing tells whether its impulse closes" in warning for warning in found.warnings) == 3
+
+
 def _write(path: Path, columns: dict[str, np.ndarray]) -> None:
     rows = [",".join(columns)]
     rows += [",".join(f"{v:.9g}" for v in row) for row in zip(*columns.values(), strict=True)]

@@ -99,3 +99,14 @@ def test_a_front_that_does_not_move_as_in_its_run_ends_with_exit_code_3(case: Pa
     done = certkit("extract", case, "--out", "found", "--format", "none", folder=case.parent)
     assert done.returncode == 3
     assert "cannot be trusted: The front alone" in done.stderr
+
+
+def test_an_impulse_that_nothing_tells_of_leaves_the_word_to_the_self_checks(case: Path) -> None:
+    case.write_text(case.read_text().replace(", contact: fascia-foam", ""))
+    done = certkit("extract", case, "--out", "found", "--format", "none", folder=case.parent)
+    assert done.returncode == 0, done.stderr
+    assert "nothing tells whether its impulse closes" in done.stderr
+    assert (case.parent / "found" / "vehicle.yaml").exists()
+    words = ("extract", case, "--out", "blind", "--format", "none", "--no-checks")
+    assert certkit(*words, folder=case.parent).returncode == 1
+    assert not (case.parent / "blind" / "vehicle.yaml").exists()
