@@ -190,7 +190,16 @@ def _refuse_another(
 
 _COMPARED = ("kind", "procedure", "verdict", "study", "fit", "case", "inputs", "provenance")
 
-_TEST = ("kind", "procedure", "verdict", "criteria", "conditions", "preconditions", "specimen", "coded_remarks")
+_TEST = (
+    "kind",
+    "procedure",
+    "verdict",
+    "criteria",
+    "conditions",
+    "preconditions",
+    "specimen",
+    "coded_remarks",
+)
 
 
 def _is_same(document: OutputDocument, old: Mapping[str, Any]) -> bool:
