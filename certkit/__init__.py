@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from certkit.bench.legform_logbook import logbook
     from certkit.bench.load_by_kind import load
     from certkit.bench.render_documents import render
+    from certkit.bench.round_robin import round_robin
     from certkit.bench.run_simulation import run
     from certkit.bench.verify import verify
     from certkit.studies.calibration.calibrate_legform import calibrate
@@ -33,6 +34,7 @@ _FILES = {
     "load": "certkit.bench.load_by_kind",
     "logbook": "certkit.bench.legform_logbook",
     "render": "certkit.bench.render_documents",
+    "round_robin": "certkit.bench.round_robin",
     "run": "certkit.bench.run_simulation",
     "study": "certkit.studies.carry_out_study",
     "verify": "certkit.bench.verify",
@@ -48,6 +50,7 @@ __all__ = [
     "load",
     "logbook",
     "render",
+    "round_robin",
     "run",
     "study",
     "verify",

@@ -25,6 +25,7 @@ from certkit.cli import (
     history_command,
     list_command,
     report_command,
+    roundrobin_command,
     run_command,
     schema_command,
     show_command,
@@ -64,6 +65,7 @@ app.command("figure", rich_help_panel=TESTS)(figure_command.figure)
 app.command("export", rich_help_panel=TESTS)(export_command.export)
 app.command("verify", rich_help_panel=TESTS)(verify_command.verify)
 app.add_typer(history_command.app, name="history", rich_help_panel=TESTS)
+app.command("roundrobin", rich_help_panel=TESTS)(roundrobin_command.roundrobin)
 app.command("extract", rich_help_panel=MODELS)(extract_command.extract)
 app.command("calibrate", rich_help_panel=MODELS)(calibrate_command.calibrate)
 app.command("study", rich_help_panel=MODELS)(study_command.study)

@@ -24,6 +24,7 @@ DOCUMENTS = MappingProxyType(
         "optimum-report": "certkit.documents.optimum_report:OptimumReport",
         "calibration-report": "certkit.documents.calibration_report:CalibrationReport",
         "logbook-overview": "certkit.documents.logbook_overview:LegOverview",
+        "round-robin": "certkit.documents.round_robin_report:RoundRobinReport",
     }
 )
 """Class of each kind by the word that `certkit schema` knows it by; imported when it is needed."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.documents.rounding import rounded
 from certkit.errors import DataError
 from certkit.files.limits import MAX_SAMPLES
 
@@ -23,11 +24,20 @@ _UNIFORM = 0.2  # of an interval: rounding in a written time column; a lost samp
 
 @dataclass(frozen=True)
 class TimeBase:
-    """A uniform time axis: time of the first sample (s), interval (s) and number of samples."""
+    """A uniform time axis: time of the first sample (s), interval (s) and number of samples.
+
+    Both times have the seven digits that a result document keeps, so that the samples that lie on the edge of
+    a window are the same when a document is graded again.
+    """
 
     first: float
     interval: float
     count: int
+
+    def __post_init__(self) -> None:
+        """Round the times."""
+        object.__setattr__(self, "first", rounded(self.first))
+        object.__setattr__(self, "interval", rounded(self.interval))
 
     def with_count(self, count: int) -> TimeBase:
         """Return the axis with another number of samples."""

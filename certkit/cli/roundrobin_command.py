@@ -1,0 +1,60 @@
+"""`certkit roundrobin`: how well laboratories agree."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+
+Certificates = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar="CERTIFICATE", help="report.pdf or result.json of a measured test, or the folder of its run."
+    ),
+]
+
+
+def roundrobin(
+    certificates: Certificates,
+    *,
+    without: Annotated[
+        list[str] | None,
+        typer.Option("--without", metavar="LABORATORY", help="Leave one out; the page says so. Repeatable."),
+    ] = None,
+    title: Annotated[str, typer.Option("--title", metavar="WORDS", help="Of the page.")] = "Round robin",
+    out: Annotated[
+        Path | None, typer.Option("--out", help="Folder for the results.", show_default="runs/round-robin")
+    ] = None,
+    formats: Annotated[
+        str, typer.Option("--format", help="`html`, or `none`. The JSON is always written.")
+    ] = "html",
+    force: options.Force = False,
+    unverified: options.Unverified = False,
+    as_json: options.AsJson = False,
+) -> None:
+    """Draw up repeatability, reproducibility and z-scores of certificates from several laboratories.
+
+    By ISO 5725-2 and ISO 13528, of each criterion that two laboratories have values of. Every certificate is
+    graded again first. Exit code 1 when a laboratory is an outlier.
+    """
+    from certkit.bench.render_documents import render, reports_of  # noqa: PLC0415  # numpy waits
+    from certkit.bench.round_robin import round_robin  # noqa: PLC0415  # likewise
+    from certkit.documents.round_robin_report import RoundRobinReport  # noqa: PLC0415  # likewise
+    from certkit.reporting.round_robin_page import round_robin_text  # noqa: PLC0415  # likewise
+
+    wanted = reports_of(RoundRobinReport, formats)
+    document = round_robin(certificates, without=without or (), title=title, unverified=unverified)
+    written = render(
+        document,
+        out or Path("runs") / "round-robin",
+        wanted,
+        force=force,
+        numbered=out is None,
+        tell=lambda what: typer.echo(what, err=True),
+    )
+    typer.echo(document.to_json() if as_json else round_robin_text(document), nl=not as_json)
+    typer.echo(f"look at {written[-1]}", err=True)
+    raise typer.Exit(1 if document.outliers else 0)

@@ -1,0 +1,227 @@
+"""Precision of a test over several laboratories: repeatability, reproducibility, outliers, scores.
+
+By ISO 5725-2:2019 (repeatability and reproducibility, Mandel's h and k, Cochran's and Grubbs' tests) and ISO
+13528:2022 (robust mean, z-scores). No kept Python package offers them: scipy has the distributions that the
+critical values come from, and those are used. Unequal numbers of tests are allowed everywhere.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from numpy.typing import NDArray
+
+STRAGGLER, OUTLIER = 0.05, 0.01
+"""Levels of significance of ISO 5725-2, 8.3.1: beyond the first a straggler, beyond the second an outlier."""
+
+FEWEST_LABORATORIES = 3
+"""Below, no mean can be told from the others, so that neither Grubbs' test nor Mandel's h is given."""
+
+_ROBUST_STEPS = 200
+_ROBUST_ENDS = 1e-9
+
+
+@dataclass(frozen=True)
+class Precision:
+    """Standard deviations of one criterion, in its unit.
+
+    Parameters
+    ----------
+    mean : float
+        Over all tests, each with the same weight.
+    within : float or None
+        Repeatability s_r, one laboratory, one leg: the pooled standard deviation within laboratories. None
+        where no laboratory tested twice.
+    between : float or None
+        s_L of the laboratories' own share; zero where the means differ by less than s_r explains.
+    total : float or None
+        Reproducibility s_R = √(s_r² + s_L²). Where no laboratory tested twice, the standard deviation of the
+        single values, which holds both shares.
+    """
+
+    mean: float
+    within: float | None
+    between: float | None
+    total: float | None
+
+
+@dataclass(frozen=True)
+class LaboratoryStatistics:
+    """One laboratory among the others.
+
+    Parameters
+    ----------
+    mean, deviation : float, float or None
+        Of its tests; the deviation needs two.
+    z : float or None
+        Distance of its mean from the robust mean of all, in robust standard deviations (ISO 13528, 9.4).
+    h, k : float or None
+        Mandel's: its mean among the means, its scatter over the pooled one.
+    found : tuple of (str, str)
+        Tests that it fell in, and as what: `("cochran", "outlier")`, `("grubbs", "straggler")`.
+    """
+
+    mean: float
+    deviation: float | None
+    z: float | None
+    h: float | None
+    k: float | None
+    found: tuple[tuple[str, str], ...] = ()
+
+
+def precision(tests: Mapping[str, Sequence[float]]) -> Precision:
+    """Return repeatability and reproducibility (ISO 5725-2, 8.4).
+
+    With p laboratories of n_i tests each, N in all, means m_i and variances s_i²:
+    s_r² = Σ(n_i − 1)s_i² / (N − p), s_d² = Σ n_i(m_i − m)² / (p − 1), n̄ = (N − Σn_i²/N) / (p − 1) and
+    s_L² = max(0, (s_d² − s_r²) / n̄).
+
+    Parameters
+    ----------
+    tests : mapping of str to sequence of float
+        Values by laboratory, at least one each.
+    """
+    rows = [np.asarray(values, dtype=float) for values in tests.values()]
+    counts = np.array([row.size for row in rows], dtype=float)
+    means = np.array([row.mean() for row in rows])
+    number, size = len(rows), float(counts.sum())
+    mean = float(counts @ means / size)
+    within = None
+    if size > number:
+        within = math.sqrt(sum(float(((row - row.mean()) ** 2).sum()) for row in rows) / (size - number))
+    if number < 2:  # one laboratory alone
+        return Precision(mean, within, None, None)
+    spread = float(counts @ (means - mean) ** 2) / (number - 1)
+    if within is None:
+        return Precision(mean, None, None, math.sqrt(spread))
+    usual = (size - float(counts @ counts) / size) / (number - 1)
+    between = math.sqrt(max(0.0, (spread - within**2) / usual))
+    return Precision(mean, within, between, math.hypot(within, between))
+
+
+def robust_mean(values: Sequence[float]) -> tuple[float, float]:
+    """Return robust mean and standard deviation by algorithm A (ISO 13528:2022, C.3).
+
+    Values beyond 1.5 standard deviations are drawn in to there, and both are taken again until they stand.
+    """
+    given = np.asarray(values, dtype=float)
+    mean = float(np.median(given))
+    deviation = 1.483 * float(np.median(np.abs(given - mean)))
+    for _ in range(_ROBUST_STEPS):
+        reach = 1.5 * deviation
+        drawn = np.clip(given, mean - reach, mean + reach)
+        new = float(drawn.mean())
+        wider = 1.134 * float(drawn.std(ddof=1)) if given.size > 1 else 0.0
+        still = abs(new - mean) + abs(wider - deviation) <= _ROBUST_ENDS * (abs(mean) + deviation)
+        mean, deviation = new, wider
+        if still:
+            break
+    return mean, deviation
+
+
+def statistics_by_laboratory(tests: Mapping[str, Sequence[float]]) -> dict[str, LaboratoryStatistics]:
+    """Return what each laboratory's values are among all of them.
+
+    Parameters
+    ----------
+    tests : mapping of str to sequence of float
+        Values by laboratory, at least one each.
+    """
+    names = list(tests)
+    rows = {name: np.asarray(tests[name], dtype=float) for name in names}
+    means = np.array([rows[name].mean() for name in names])
+    centre, scale = robust_mean(means.tolist())
+    pooled = precision(tests).within
+    spread = float(means.std(ddof=1)) if len(names) >= FEWEST_LABORATORIES else 0.0
+    found = {name: [*_cochran(rows, name), *_grubbs(means, names, name)] for name in names}
+    return {
+        name: LaboratoryStatistics(
+            mean=float(mean),
+            deviation=float(rows[name].std(ddof=1)) if rows[name].size > 1 else None,
+            z=(float(mean) - centre) / scale if scale > 0 else None,
+            h=(float(mean) - float(means.mean())) / spread if spread > 0 else None,
+            k=float(rows[name].std(ddof=1)) / pooled if pooled and rows[name].size > 1 else None,
+            found=tuple(found[name]),
+        )
+        for name, mean in zip(names, means, strict=True)
+    }
+
+
+def cochran_critical(level: float, laboratories: int, tests: int) -> float:
+    """Return the largest share of one variance in the sum of p variances of n tests (ISO 5725-2, 8.3.4).
+
+    C = 1 / (1 + (p − 1) / F), F the quantile at 1 − level/p with n − 1 and (p − 1)(n − 1) degrees of freedom.
+    """
+    from scipy.stats import f  # noqa: PLC0415  # half a second, for these tests only
+
+    one, others = tests - 1, (laboratories - 1) * (tests - 1)
+    quantile = float(f.ppf(1 - level / laboratories, one, others))
+    return 1 / (1 + (laboratories - 1) / quantile)
+
+
+def grubbs_critical(level: float, laboratories: int) -> float:
+    """Return the largest distance of one mean from p means, in their standard deviation (ISO 5725-2, 8.3.5).
+
+    G = (p − 1) / √p · √(t² / (p − 2 + t²)), t the quantile at 1 − level/(2p) with p − 2 degrees of freedom.
+    """
+    from scipy.stats import t  # noqa: PLC0415  # likewise
+
+    square = float(t.ppf(1 - level / (2 * laboratories), laboratories - 2)) ** 2
+    return (laboratories - 1) / math.sqrt(laboratories) * math.sqrt(square / (laboratories - 2 + square))
+
+
+def mandel_critical(level: float, laboratories: int, tests: int) -> tuple[float, float | None]:
+    """Return the critical |h| and k (ISO 5725-2, 8.3.3): p laboratories, n tests each.
+
+    h = (p − 1)·t / √(p(t² + p − 2)), t at 1 − level/2 with p − 2 degrees of freedom;
+    k = √(p / (1 + (p − 1) / F)), F at 1 − level with n − 1 and (p − 1)(n − 1). No k for single tests.
+    """
+    from scipy.stats import f, t  # noqa: PLC0415  # likewise
+
+    quantile = float(t.ppf(1 - level / 2, laboratories - 2))
+    h = (laboratories - 1) * quantile / math.sqrt(laboratories * (quantile**2 + laboratories - 2))
+    if tests < 2:  # a scatter needs two
+        return h, None
+    ratio = float(f.ppf(1 - level, tests - 1, (laboratories - 1) * (tests - 1)))
+    return h, math.sqrt(laboratories / (1 + (laboratories - 1) / ratio))
+
+
+def usual_count(tests: Mapping[str, Sequence[float]]) -> int:
+    """Return the number of tests that most laboratories made; of equally many, the larger."""
+    counts = [len(values) for values in tests.values()]
+    return max(counts, key=lambda count: (counts.count(count), count))
+
+
+def _cochran(rows: Mapping[str, NDArray[np.float64]], name: str) -> list[tuple[str, str]]:
+    """Test the largest scatter among those of all that tested twice."""
+    variances = {each: float(row.var(ddof=1)) for each, row in rows.items() if row.size > 1}
+    total = sum(variances.values())
+    if len(variances) < 2 or total == 0 or max(variances, key=variances.__getitem__) != name:
+        return []
+    tests = usual_count({each: rows[each].tolist() for each in variances})
+    share = variances[name] / total
+    return _judged("cochran", share, lambda level: cochran_critical(level, len(variances), tests))
+
+
+def _grubbs(means: NDArray[np.float64], names: Sequence[str], name: str) -> list[tuple[str, str]]:
+    """Test the mean that lies farthest from all."""
+    spread = float(means.std(ddof=1)) if len(names) >= FEWEST_LABORATORIES else 0.0
+    if spread == 0:
+        return []
+    away = np.abs(means - means.mean()) / spread
+    if names[int(away.argmax())] != name:
+        return []
+    return _judged("grubbs", float(away.max()), lambda level: grubbs_critical(level, len(names)))
+
+
+def _judged(test: str, value: float, critical: Callable[[float], float]) -> list[tuple[str, str]]:
+    if value > critical(OUTLIER):
+        return [(test, "outlier")]
+    return [(test, "straggler")] if value > critical(STRAGGLER) else []
