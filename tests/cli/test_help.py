@@ -17,7 +17,19 @@ except SystemExit:
     pass
 print("LOADED", *sorted({name.partition(".")[0] for name in sys.modules}), file=sys.stderr)
 """
-COMMANDS = ["run", "roundrobin", "grade", "compare", "report", "extract", "calibrate", "study", "list", "show", "validate"]
+COMMANDS = [
+    "run",
+    "roundrobin",
+    "grade",
+    "compare",
+    "report",
+    "extract",
+    "calibrate",
+    "study",
+    "list",
+    "show",
+    "validate",
+]
 
 
 @pytest.mark.parametrize("arguments", [["--help"], *([name, "--help"] for name in COMMANDS)], ids=" ".join)
