@@ -92,9 +92,10 @@ def run_setup(setup: Setup, *, refine: bool = True, library: Library = ()) -> Re
     fits = fits_of(setup, library)
     front, vehicle = simulation.front, setup.vehicle
     stretched = [] if front is None or vehicle is None else beyond_range(front, vehicle)
+    guess = (Reason.of("model-for-what-if"),) if setup.legform.what_if else ()
     simulated = SimulatedTerms(
         fitted=tuple(fitted_to(setup, fits)),
-        bounds=(*on_bounds(setup, fits), *stretched),
+        bounds=(*guess, *on_bounds(setup, fits), *stretched),
         quality=quality,
         numerical=refinement.uncertainties if refinement else {},
         legform=setup.legform.title,

@@ -30,7 +30,9 @@ if TYPE_CHECKING:
 WORDS = re.compile(r"(^|\.)(origin|source|confidence|note|notes|title|clause|method)(\.|$)")
 """Fields of a definition that tell where numbers come from."""
 
-LIMITS = re.compile(r"^(windows|polygons|bands|scores)\..+\.(lower|upper|points|full|zero|at|x|y)\b")
+LIMITS = re.compile(
+    r"^(windows|polygons|bands|scores)\..+\.(lower|upper|points|full|zero|at|x|y|shares|decimals|exclusive)\b"
+)
 """Fields of a corridor that decide; an entry that only one of both has is none of them."""
 
 

@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from certkit.definitions.loading.library import Loaded
     from certkit.definitions.loading.parameter_list import ListedParameter
 
-_WINDOW = re.compile(r"(?P<lower>.+?) to (?P<upper>.+)|at most (?P<most>.+)|at least (?P<least>.+)")
+_WINDOW = re.compile(
+    r"(?P<lower>.+?) to (?P<upper>.+)|(?:at most|below) (?P<most>.+)|(?:at least|above) (?P<least>.+)"
+)
 
 
 def with_value(loaded: Loaded[BaseModel], entry: ListedParameter, value: str) -> str:

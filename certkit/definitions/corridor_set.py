@@ -7,22 +7,14 @@ from typing import Annotated, ClassVar, Self
 
 from pydantic import Field, model_validator
 
-from certkit.definitions.base import Document, Section, Sourced
+from certkit.definitions.base import Section
+from certkit.definitions.corridor_entry import CorridorEntry, order_faults
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.polygon import crossing
+from certkit.definitions.score import Score
 from certkit.definitions.units import alike, dimensions
 
 Point = tuple[str, str]
-
-
-class CorridorEntry(Sourced):
-    """One corridor, limit or score; its origin is its own, or the set's."""
-
-    noun: ClassVar[str] = "entry"
-
-    note: Annotated[str | None, Field(description="What a reader of the verdict should know about it.")] = (
-        None
-    )
 
 
 class ValueWindow(CorridorEntry):
@@ -32,19 +24,28 @@ class ValueWindow(CorridorEntry):
 
     lower: str | None = None
     upper: str | None = None
+    exclusive: Annotated[bool, Field(description="A value on the limit itself is outside.")] = False
+    decimals: Annotated[
+        int | None,
+        Field(
+            ge=0, le=6, description="Values are rounded half up to so many, in the unit of reports, first."
+        ),
+    ] = None
 
     @model_validator(mode="after")
-    def _has_order(self) -> Self:
+    def _hasorder_faults(self) -> Self:
         if self.lower is None and self.upper is None:
             raise Faults([((), "has neither `lower` nor `upper`; add at least one, with its unit")])
-        if faults := _order(("lower", self.lower), ("upper", self.upper)):
+        if faults := order_faults(("lower", self.lower), ("upper", self.upper)):
             raise Faults(faults)
         return self
 
     def lines(self) -> dict[str, str]:
-        """Return `235 N·m to 272 N·m`, `at most 22 mm` or `at least 3 mm`."""
-        if self.lower is None or self.upper is None:
-            return {"": f"at most {self.upper}" if self.lower is None else f"at least {self.lower}"}
+        """Return `235 N·m to 272 N·m`, `at most 22 mm`, `below 320 N·m` or `at least 3 mm`."""
+        if self.lower is None:
+            return {"": f"{'below' if self.exclusive else 'at most'} {self.upper}"}
+        if self.upper is None:
+            return {"": f"{'above' if self.exclusive else 'at least'} {self.lower}"}
         return {"": f"{self.lower} to {self.upper}"}
 
 
@@ -113,39 +114,6 @@ class Band(CorridorEntry):
         }
 
 
-class Forfeit(Document):
-    """Criteria that take all points of a score away when any of them reaches a value."""
-
-    criteria: Annotated[list[str], Field(min_length=1)]
-    at: Annotated[str, Field(description="The value, with its unit; reaching it is enough.")]
-
-
-class Score(CorridorEntry):
-    """Points on a sliding scale: full points up to `full`, none from `zero` on, linear between."""
-
-    criteria: Annotated[list[str], Field(min_length=1, description="The worst of these criteria counts.")]
-    full: str
-    zero: str
-    points: Annotated[float, Field(gt=0)]
-    forfeit: Forfeit | None = None
-
-    @model_validator(mode="after")
-    def _has_order(self) -> Self:
-        faults = _order(("full", self.full), ("zero", self.zero))
-        if self.forfeit is not None:
-            faults += [(("forfeit", "at"), said) for _, said in alike([self.forfeit.at])[1]]
-        if faults:
-            raise Faults(faults)
-        return self
-
-    def lines(self) -> dict[str, str]:
-        """Return the scale and, where there is one, what forfeits the points."""
-        scale = {"": f"{self.points:g} points up to {self.full}, none from {self.zero} on"}
-        if self.forfeit is None:
-            return scale
-        return scale | {"forfeit": f"{' or '.join(self.forfeit.criteria)} at {self.forfeit.at}"}
-
-
 class CorridorSet(Section):
     """Corridors of one procedure from one source. Entries inherit the set's `origin` unless they have one.
 
@@ -203,17 +171,6 @@ class CorridorSet(Section):
     def entries(self) -> list[str]:
         """Names of all corridors, also of the awaited ones, without the scores."""
         return [*self.windows, *self.polygons, *self.bands, *self.awaited]
-
-
-def _order(low: tuple[str, str | None], high: tuple[str, str | None]) -> list[Fault]:
-    """Return what is wrong with two (key, quantity) that should be alike and in order."""
-    given = [(key, text) for key, text in (low, high) if text is not None]
-    values, wrong = alike([text for _, text in given])
-    faults: list[Fault] = [((given[index][0],), said) for index, said in wrong]
-    if len(values) == 2 and values[0] > values[1]:
-        message = f"{low[0]} {low[1]} lies above {high[0]} {high[1]}; exchange them"
-        faults.append(((low[0],), message))
-    return faults
 
 
 def _line(points: list[Point], key: str) -> tuple[list[tuple[float, float]], list[Fault]]:

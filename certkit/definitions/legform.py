@@ -33,6 +33,9 @@ class Legform(Section):
     fine_location: Annotated[
         str, Field(pattern=r"^[A-Z0-9]{2}$", description="Fine location 3 of its ISO-MME codes.")
     ]
+    what_if: Annotated[
+        bool, Field(description="The model is a guess, for what-if runs only; each of its results says so.")
+    ] = False
     parts: Annotated[
         dict[str, Bone], Field(min_length=2, max_length=50, description="From the top to the bottom.")
     ]

@@ -121,6 +121,11 @@ class ScoreResult(Part):
     unit: str
     full: Figure
     zero: Figure
+    scheme: Annotated[str, Field(description="Name of the corridor set with the scheme.")] = ""
+    colour: Annotated[str, Field(description="Of the band that decided, where the scheme has bands.")] = ""
+    car_points: Annotated[
+        Figure | None, Field(description="Points of the whole car: times the mean share over its points.")
+    ] = None
     confidence: Confidence
     source: str
     note: str = ""

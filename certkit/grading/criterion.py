@@ -15,6 +15,7 @@ from certkit.documents.result import CorridorOverTime, CriterionResult, CurveInP
 from certkit.grading.corridor_distance import band_distance, end_faces, polygon_distance, refined
 from certkit.grading.corridors import Corridor, Missing, band_lines, find_corridor, limits, polygon_corners
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule, decide
+from certkit.grading.half_up import half_up
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -67,6 +68,9 @@ class _Held:
     upper: float | None = None
     reason: Reason | None = None
     pictures: Mapping[str, Any] = field(default_factory=dict)
+    judged: float | None = None
+    """The value that decides, where a corridor rounds it first."""
+    exclusive: bool = False
 
 
 def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Judgement) -> CriterionResult:
@@ -138,7 +142,14 @@ def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Ju
             upper=_scaled(held.upper, scale),
             **shown,
         )
-    decision = decide(judgement.rule, held.value, held.lower, held.upper, judgement.expanded.get(channel))
+    decision = decide(
+        judgement.rule,
+        held.value if held.judged is None else held.judged,
+        held.lower,
+        held.upper,
+        judgement.expanded.get(channel),
+        exclusive=held.exclusive,
+    )
     verdict, reason = decision.verdict, decision.reason
     margin = _scaled(decision.margin, scale)
     if (
@@ -182,12 +193,25 @@ def _hold(
     if trace is None:
         if corridor is None or not isinstance(entry, ValueWindow):
             return _Held(measured.value, measured.time)
-        return _Held(measured.value, measured.time, *limits(corridor, entry, dimension))
+        lower, upper = limits(corridor, entry, dimension)
+        judged = _judged(measured.value, entry.decimals, dimension, (lower, upper))
+        return _Held(measured.value, measured.time, lower, upper, judged=judged, exclusive=entry.exclusive)
     if corridor is None or isinstance(entry, ValueWindow) or entry is None:
         return _shown_only(trace, criterion.measure)
     if isinstance(entry, Polygon):
         return _inside_polygon(trace, polygon_corners(corridor, entry, criterion, trace, channels))
     return _inside_band(trace, corridor, entry)
+
+
+def _judged(
+    value: float | None, decimals: int | None, dimension: Dimension, limits: tuple[float | None, ...]
+) -> float | None:
+    """Round a value half up in the unit of reports; a limit that it comes to is met to the last bit."""
+    if value is None or decimals is None:
+        return value
+    shown = half_up(value * dimension.scale, decimals)
+    same = [a for a in limits if a is not None and half_up(a * dimension.scale, decimals) == shown]
+    return same[0] if same else shown / dimension.scale
 
 
 def _shown_only(trace: Trace, how: str) -> _Held:

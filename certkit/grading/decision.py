@@ -72,7 +72,13 @@ class Decision:
 
 
 def decide(
-    rule: DecisionRule, value: float, lower: float | None, upper: float | None, expanded: float | None = None
+    rule: DecisionRule,
+    value: float,
+    lower: float | None,
+    upper: float | None,
+    expanded: float | None = None,
+    *,
+    exclusive: bool = False,
 ) -> Decision:
     """Decide on a value.
 
@@ -85,6 +91,8 @@ def decide(
         Limits; both belong to the corridor. A side without a limit is open.
     expanded : float, optional
         Expanded uncertainty U (k = 2) in the unit of the value.
+    exclusive : bool
+        The limits do not belong to the corridor.
 
     Returns
     -------
@@ -97,7 +105,7 @@ def decide(
         math.inf if lower is None else value - lower,
         math.inf if upper is None else upper - value,
     )
-    if margin < 0:
+    if margin < 0 or (exclusive and margin == 0):
         return Decision("fail", margin)
     risk = None if expanded is None else false_accept(value, lower, upper, expanded)
     if rule.ratio == 0 or expanded is None:

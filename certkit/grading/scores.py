@@ -1,20 +1,23 @@
-"""Points of rating schemes: full points up to one value, none from another on, on a straight line between."""
+"""Points of rating schemes: all up to one value, none from another on, on a line or in steps between."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.definitions.units import parse_quantity
 from certkit.documents.result import ScoreResult
 from certkit.errors import UsageError
 from certkit.grading.corridors import impactor_of, made_for
+from certkit.grading.half_up import band_borders, half_up
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from certkit.definitions.channels import ChannelTable
-    from certkit.definitions.corridor_set import CorridorSet, Score
+    from certkit.definitions.corridor_set import CorridorSet
+    from certkit.definitions.score import Scale, Score
     from certkit.documents.result import CriterionResult
 
 
@@ -33,6 +36,25 @@ def points(value: float, full: float, zero: float, maximum: float) -> float:
     if full == zero:
         return maximum if value < full else 0.0
     return maximum * min(1.0, max(0.0, (zero - value) / (zero - full)))
+
+
+def share_of(value: float, borders: Sequence[float], shares: Sequence[float]) -> tuple[float, int]:
+    """Return the share of the points that a value earns in steps, and the number of its band.
+
+    A value on a border belongs to the band above it: all points are earned strictly below the first border,
+    none from the last one on.
+
+    Parameters
+    ----------
+    value : float
+        Smaller is better.
+    borders : sequence of float
+        From full to none, one more than there are shares.
+    shares : sequence of float
+        Of the bands between the borders.
+    """
+    band = sum(value >= border for border in borders)
+    return (1.0, *shares, 0.0)[band], band
 
 
 def procedure_scores(
@@ -61,11 +83,11 @@ def procedure_scores(
         return [], [Reason.of("score-set-not-found", set=named)]
     if not made_for(found, channels):
         return [], [Reason.of("score-set-for-other", set=named, impactor=impactor_of(found))]
-    return grade_scores(found.scores, criteria)
+    return grade_scores(found.scores, criteria, scheme=named)
 
 
 def grade_scores(
-    scores: Mapping[str, Score], criteria: Mapping[str, CriterionResult]
+    scores: Mapping[str, Score], criteria: Mapping[str, CriterionResult], *, scheme: str = ""
 ) -> tuple[list[ScoreResult], list[Reason]]:
     """Give points.
 
@@ -75,6 +97,8 @@ def grade_scores(
         By their names.
     criteria : mapping of str to CriterionResult
         By their ids.
+    scheme : str
+        Name of the corridor set that they are of.
 
     Returns
     -------
@@ -86,44 +110,73 @@ def grade_scores(
     given: list[ScoreResult] = []
     remarks: list[Reason] = []
     for name, score in scores.items():
-        needed = [*score.criteria, *(score.forfeit.criteria if score.forfeit is not None else ())]
-        missing = [i for i in needed if i not in criteria or criteria[i].value is None]
+        missing = [i for i in score.needs if i not in criteria or criteria[i].value is None]
         if missing:
-            without = list(dict.fromkeys(missing))
-            remarks.append(Reason.of("score-not-measured", score=name, criteria=without))
+            remarks.append(Reason.of("score-not-measured", score=name, criteria=missing))
         else:
-            given.append(_score(name, score, criteria))
+            given.append(_score(name, score, criteria, scheme))
     return given, remarks
 
 
-def _score(name: str, score: Score, criteria: Mapping[str, CriterionResult]) -> ScoreResult:
-    rated = [
-        (points(value, full, zero, score.points), -value, criterion, full, zero)
-        for criterion, value, full, zero in (
-            (c, _value(c), _shown(score.full, c, name), _shown(score.zero, c, name))
-            for c in (criteria[i] for i in score.criteria)
-        )
-    ]
-    earned, _, decisive, full, zero = min(rated, key=lambda row: row[:2])
+@dataclass(frozen=True)
+class _Rated:
+    """A criterion on its scale: what it earns of all points, and in which band it lies."""
+
+    share: float
+    value: float
+    criterion: CriterionResult
+    full: float
+    zero: float
+    band: int | None = None
+
+    @property
+    def order(self) -> tuple[float, float]:
+        """Worst first: fewest points, then farthest along its scale."""
+        span = self.zero - self.full
+        return self.share, -(self.value - self.full) / span if span else -self.value
+
+
+def _score(name: str, score: Score, criteria: Mapping[str, CriterionResult], scheme: str) -> ScoreResult:
+    rated = [_rate(name, score, scale, criteria[i]) for scale in score.scales for i in scale.criteria]
+    worst = min(rated, key=lambda row: row.order)
     if score.forfeit is not None:
         for i in score.forfeit.criteria:
-            if _value(criteria[i]) >= _shown(score.forfeit.at, criteria[i], name):
-                earned, decisive = 0.0, criteria[i]
-                full = zero = _shown(score.forfeit.at, criteria[i], name)
+            limit = _shown(score.forfeit.at, criteria[i], name)
+            if _value(criteria[i]) >= limit:
+                last = len(score.shares) + 1 if score.shares else None
+                worst = _Rated(0.0, _value(criteria[i]), criteria[i], limit, limit, last)
                 break
+    earned = score.points * worst.share
+    if score.point_decimals is not None:
+        earned = half_up(earned, score.point_decimals)
     return ScoreResult(
         id=name,
         points=earned,
         maximum=score.points,
-        criterion=decisive.id,
-        value=_value(decisive),
-        unit=decisive.unit,
-        full=full,
-        zero=zero,
+        criterion=worst.criterion.id,
+        value=_value(worst.criterion),
+        unit=worst.criterion.unit,
+        full=worst.full,
+        zero=worst.zero,
+        scheme=scheme,
+        colour=score.colours[worst.band] if score.colours and worst.band is not None else "",
+        car_points=score.car_points,
         confidence=score.confidence or "estimated",
         source=score.source or "",
         note=score.note or "",
     )
+
+
+def _rate(name: str, score: Score, scale: Scale, criterion: CriterionResult) -> _Rated:
+    full, zero = (_shown(text, criterion, name) for text in (scale.full, scale.zero))
+    value = _value(criterion)
+    if score.decimals is not None:
+        value = half_up(value, score.decimals)
+    if not score.shares:
+        return _Rated(points(value, full, zero, 1.0), value, criterion, full, zero)
+    borders = band_borders(full, zero, len(score.shares), score.decimals)
+    share, band = share_of(value, borders, score.shares)
+    return _Rated(share, value, criterion, full, zero, band)
 
 
 def _value(criterion: CriterionResult) -> float:

@@ -204,6 +204,7 @@ REASONS = MappingProxyType(
         "numbers-that-went-in": "Von den {count} eingegangenen Zahlen: {shares:and}; jede ist mit ihrer Herkunft aufgeführt.",
         "count-of-confidence": "{count} {confidence:word}",
         "model-not-legform": "Eine virtuelle Zertifizierung des Modells; kein Kalibrierschein eines Beinprüfkörpers.",
+        "model-for-what-if": "Ein geschätztes Modell, nur für Was-wäre-wenn: Es sagt nichts über einen Versuch mit dem echten Beinprüfkörper.",
         "no-calibration-certificate": "Die Auswertung eines gemessenen Versuchs; kein Kalibrierschein des Beinprüfkörpers.",
         "score-set-not-found": "Keine Bewertung: Der Satz `{set}` wurde nicht gefunden.",
         "score-set-for-other": "Keine Bewertung: `{set}` gilt für {impactor}.",

@@ -54,6 +54,9 @@ REASONS = MappingProxyType(
         "model-not-legform": (
             "A virtual certification of the model; not a calibration certificate of a legform."
         ),
+        "model-for-what-if": (
+            "A guessed model, for what-if only: it says nothing about a test with the real legform."
+        ),
         "no-calibration-certificate": (
             "An evaluation of a measured test; not a calibration certificate of the legform."
         ),

@@ -204,6 +204,7 @@ REASONS = MappingProxyType(
         "numbers-that-went-in": "使用した数値 {count} 件の内訳: {shares:and}。各数値の出典を一覧に示します。",
         "count-of-confidence": "{confidence:word} {count} 件",
         "model-not-legform": "モデルの仮想認証であり、レッグフォームの校正証明書ではありません。",
+        "model-for-what-if": "推定モデルによる試算であり、実際のレッグフォームでの試験については何も示しません。",
         "no-calibration-certificate": "実測試験の評価であり、レッグフォームの校正証明書ではありません。",
         "score-set-not-found": "評点なし: `{set}` が見つかりません。",
         "score-set-for-other": "評点なし: `{set}` は {impactor} 用です。",
