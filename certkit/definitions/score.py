@@ -19,7 +19,7 @@ class Forfeit(Document):
     at: Annotated[str, Field(description="The value, with its unit; reaching it is enough.")]
 
 
-class Scale(Document):
+class SlidingScale(Document):
     """Criteria with the values between which their points go from all to none."""
 
     criteria: Annotated[list[str], Field(min_length=1, description="The worst of these criteria counts.")]
@@ -36,7 +36,7 @@ class Scale(Document):
 Share = Annotated[float, Field(gt=0, lt=1)]
 
 
-class Score(CorridorEntry, Scale):
+class Score(CorridorEntry, SlidingScale):
     """Points of one body region at one point of impact: all of them below `full`, none from `zero` on.
 
     Between the two they fall on a straight line, or, where `shares` are given, in steps: the range is cut
@@ -44,7 +44,7 @@ class Score(CorridorEntry, Scale):
     """
 
     points: Annotated[float, Field(gt=0)]
-    also: Annotated[list[Scale], Field(description="Further criteria on scales of their own.")] = []
+    also: Annotated[list[SlidingScale], Field(description="Further criteria on scales of their own.")] = []
     forfeit: Forfeit | None = None
     shares: Annotated[
         list[Share], Field(max_length=20, description="Share of the points in each band, falling.")
@@ -69,7 +69,7 @@ class Score(CorridorEntry, Scale):
     ] = None
 
     @property
-    def scales(self) -> list[Scale]:
+    def scales(self) -> list[SlidingScale]:
         """Return all scales; the worst value on any of them decides."""
         return [self, *self.also]
 

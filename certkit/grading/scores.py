@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from certkit.definitions.channels import ChannelTable
     from certkit.definitions.corridor_set import CorridorSet
-    from certkit.definitions.score import Scale, Score
+    from certkit.definitions.score import Score, SlidingScale
     from certkit.documents.result import CriterionResult
 
 
@@ -167,7 +167,7 @@ def _score(name: str, score: Score, criteria: Mapping[str, CriterionResult], sch
     )
 
 
-def _rate(name: str, score: Score, scale: Scale, criterion: CriterionResult) -> _Rated:
+def _rate(name: str, score: Score, scale: SlidingScale, criterion: CriterionResult) -> _Rated:
     full, zero = (_shown(text, criterion, name) for text in (scale.full, scale.zero))
     value = _value(criterion)
     if score.decimals is not None:
