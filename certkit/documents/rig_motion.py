@@ -8,20 +8,27 @@ from pydantic import Field, model_validator
 
 from certkit.documents.consistent_lists import check_lengths
 from certkit.documents.output_document import Part
-from certkit.documents.rounding import Figures, Points, Poses, Rows
+from certkit.documents.rounding import Figure, Figures, Points, Poses, Rows
 
 
 class Shape(Part):
-    """Something that moves or stands in the moving picture: an outline in its own axes, metres."""
+    """Something that moves or stands in the moving picture: an outline in its own axes, metres.
+
+    `ground` is what is fixed to the laboratory's floor, `ghost` where something was before the test.
+    """
 
     name: str
-    kind: Literal["bone", "knee", "flesh", "rig", "ram", "vehicle", "mass"]
+    kind: Literal["bone", "knee", "flesh", "rig", "ram", "honeycomb", "vehicle", "mass", "ground", "ghost"]
     outline: Points
     closed: bool = True
+    note: Annotated[str, Field(description="What the drawing of the rig says beside it: `5 kg`.")] = ""
 
 
 class Motion(Part):
-    """The moving picture. Shape s in frame f: (x, z, angle) = `poses[f][s]`; `moments[f]` its colours."""
+    """The moving picture, z upwards in the laboratory.
+
+    Shape s in frame f: (x, z, angle) = `poses[f][s]`; `moments[f]` its colours.
+    """
 
     times: Figures
     shapes: list[Shape]
@@ -30,6 +37,12 @@ class Motion(Part):
     moments: Rows = []
     unit: str = "N·m"
     scene: Annotated[list[Shape], Field(description="Shapes that never move, in world axes.")] = []
+    before: Annotated[
+        list[Shape], Field(description="Where the legform was before the test; in the drawing of the rig.")
+    ] = []
+    gravity: Annotated[
+        Figure | None, Field(description="In the run, m/s² along −z; 0 where it was left out.")
+    ] = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

@@ -40,6 +40,7 @@ FIGURES = MappingProxyType(
             "frames": FigureEntry(
                 "motion_frames:draw", "the rig at a few instants", "motion_frames:draw_beside"
             ),
+            "rig": FigureEntry("rig_drawing:draw", "the rig as it stands in the laboratory"),
             "table": FigureEntry("errors_table:draw", "the error table"),
             "errors": FigureEntry("error_bars:draw", "its bars"),
             "curve": FigureEntry("plane:draw", "curves of static tests"),

@@ -144,6 +144,14 @@ class View:
         return frames_chart(motion) if motion and motion.poses else None
 
     @cached_property
+    def rig(self) -> Drawing | None:
+        """The rig as it stands in the laboratory."""
+        from certkit.reporting.charts.rig_drawing import rig_drawing  # noqa: PLC0415  # likewise
+
+        motion = self.result.motion
+        return rig_drawing(motion) if motion and motion.poses else None
+
+    @cached_property
     def errors(self) -> Drawing | None:
         """Peaks of test and simulation beside each other."""
         from certkit.reporting.charts.error_bars import errors_chart  # noqa: PLC0415  # likewise

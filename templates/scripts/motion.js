@@ -1,6 +1,6 @@
 // The moving picture: shapes on recorded poses, coloured by bending moment, with gauges that follow.
 const ANCHORS = [[8, 69, 148], [107, 163, 209], [232, 230, 224], [240, 155, 84], [166, 47, 14]];
-const ORDER = ["rig", "flesh", "mass", "knee", "bone", "ram", "vehicle"];
+const ORDER = ["ground", "rig", "flesh", "mass", "knee", "bone", "honeycomb", "ram", "vehicle"];
 const SECONDS = 8; // the whole test at speed 1
 
 function diverging(fraction) {
@@ -19,7 +19,7 @@ function unpacked(motion) {
 function drawnShape(shape, fill, parent) {
   const data = "M" + shape.outline.map(([a, b]) => `${a * 1000} ${-b * 1000}`).join("L") + (shape.closed ? "z" : "");
   return element("path", {
-    class: `k-${shape.kind}`, d: data, fill: shape.closed ? fill : "none", "fill-opacity": ["ram", "vehicle"].includes(shape.kind) ? 0.7 : 1, "stroke-width": shape.closed ? 1.2 : 2.5, "stroke-linejoin": "round",
+    class: `k-${shape.kind}`, d: data, fill: shape.closed ? fill : "none", "fill-opacity": ["honeycomb", "ram", "vehicle"].includes(shape.kind) ? 0.7 : 1, "stroke-width": shape.closed ? 1.2 : 2.5, "stroke-linejoin": "round",
   }, parent);
 }
 

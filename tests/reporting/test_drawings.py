@@ -181,6 +181,13 @@ def test_two_results_can_be_laid_over_each_other(pendulum: Result, measured: Res
     assert len([e for e in root.iter(f"{SVG}path") if "curve" in (e.get("class") or "")]) == 2
 
 
+def test_the_rig_names_each_part_once_and_has_a_scale(pendulum: Result) -> None:
+    root = parsed(figure(pendulum, "rig"))
+    words = [text.text for text in root.iter(f"{SVG}text")]
+    assert words.count("tibia") == words.count("femur") == words.count("stopper") == words.count("hinge") == 1
+    assert any(word.endswith(" mm") for word in words if word)
+
+
 def test_frames_of_two_results_stand_at_the_same_instants(pendulum: Result, bending: Result) -> None:
     root = parsed(figure(pendulum, "frames", beside=bending))
     rows = root.findall(f"{SVG}svg")

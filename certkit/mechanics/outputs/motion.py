@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,6 +24,8 @@ def recorded_motion(
     rig: RigAssembly, run: Trajectory, readings: Mapping[str, Floats], at: Integers
 ) -> Motion:
     """Return the motion document of a run; `at` are the sample numbers of the frames.
+
+    The picture is turned so that z points up in the laboratory.
 
     A segment of a bone is coloured by the bending moment in its middle, the mean of its two joints'; at a
     free end the moment is zero.
@@ -50,18 +53,40 @@ def recorded_motion(
         outline = box(inner, inner + rig.cover, -segment.length / 2, segment.length / 2)
         shapes.append(Shape(name=f"flesh {len(shapes)}", kind="flesh", outline=outline))
         bodies.append(body)
-    shapes += rig.moving_shapes.values()
-    bodies += rig.moving_shapes
+    shapes += [shape for _, shape in rig.moving_shapes]
+    bodies += [body for body, _ in rig.moving_shapes]
     poses = run.frames[:, bodies, :].copy()
     # Flesh is a point mass; it is drawn tilted with its bone.
     for k in range(len(leg.flesh)):
         poses[:, len(leg.segments) + k, 2] = poses[:, k, 2]
+    for shape, (x, z), travel in rig.pushed_shapes:
+        shapes.append(shape)
+        pushed = np.stack([x - readings[travel][at], np.full(len(at), z), np.zeros(len(at))], axis=-1)
+        poses = np.concatenate([poses, pushed[:, None, :]], axis=1)
+    turn = math.pi / 2 - math.atan2(rig.up[1], rig.up[0])
     coloured = np.stack(moments, axis=1) if moments else np.zeros((len(run.frame_time), 0))
     return Motion(
         times=(run.frame_time - run.contact).tolist(),
         shapes=shapes,
-        poses=poses.tolist(),
+        poses=turned_poses(poses, turn).tolist(),
         joints=names,
         moments=coloured.tolist(),
-        scene=rig.fixed_shapes,
+        scene=[turned_shape(shape, turn) for shape in rig.fixed_shapes],
+        before=[turned_shape(shape, turn) for shape in rig.released_shapes],
+        gravity=float(np.hypot(*rig.assembly.gravity)),
     )
+
+
+def turned_poses(poses: Floats, angle: float) -> Floats:
+    """Return poses (x, z, angle) as they are after the whole picture is turned about the knee centre."""
+    c, s = math.cos(angle), math.sin(angle)
+    x, z, own = np.moveaxis(poses, -1, 0)
+    return np.stack([c * x - s * z, s * x + c * z, own + angle], axis=-1)
+
+
+def turned_shape(shape: Shape, angle: float) -> Shape:
+    """Return a shape in world axes, turned with the whole picture."""
+    if angle == 0.0:
+        return shape
+    c, s = math.cos(angle), math.sin(angle)
+    return shape.model_copy(update={"outline": [(c * x - s * z, s * x + c * z) for x, z in shape.outline]})

@@ -25,10 +25,13 @@ FILL = {
     "ram": "#aab4be",
     "vehicle": "#dfe5ea",
     "mass": "#6b7580",
+    "honeycomb": "#d9c58f",
+    "ground": "#d0d4d9",
+    "ghost": "none",
 }
-_ORDER = ("rig", "flesh", "mass", "knee", "bone", "ram", "vehicle")
+_ORDER = ("rig", "flesh", "mass", "knee", "bone", "honeycomb", "ram", "vehicle")
 """From back to front. What the leg crushes is drawn in front of it and half seen through."""
-_SEEN_THROUGH = {"ram": 0.7, "vehicle": 0.7}
+_SEEN_THROUGH = {"honeycomb": 0.6, "ram": 0.7, "vehicle": 0.7}
 
 
 def draw(result: Result, names: Sequence[str]) -> Drawing | None:
@@ -126,22 +129,28 @@ def draw_frame(motion: Motion, frame: int, x: Scale, y: Scale) -> str:
 def frames_chart(
     motion: Motion, frames: Sequence[int] | None = None, *, width: float = 740, most: int = 6
 ) -> Drawing:
-    """Draw the key frames side by side at one scale, with their times and a colour key."""
+    """Draw the key frames at one scale, with their times and a colour key.
+
+    They stand side by side; those that are wide, as of a bone on its rollers, in three columns.
+    """
     frames = key_frames(motion, most) if frames is None else frames
     left, right, low, high = bounds(motion, frames)
-    cell = width / max(len(frames), 1)
+    columns = max(len(frames), 1) if high - low > 1.2 * (right - left) else 3
+    cell = width / columns
     factor = min((cell - 8) / (right - left), 300 / (high - low))
     height = (high - low) * factor
     drawn = ""
     for place, frame in enumerate(frames):
-        middle = cell * (place + 0.5)
+        row, column = divmod(place, columns)
+        above = row * (height + 24)
+        middle = cell * (column + 0.5)
         half = (right - left) / 2 * factor
         x = Scale(left, right, middle - half, middle + half)
-        y = Scale(low, high, 20 + height, 20)
+        y = Scale(low, high, above + 20 + height, above + 20)
         words = f"{fixed(motion.times[frame] * 1e3, 1)} ms"
-        drawn += label(middle, 13, words, text_anchor="middle", font_weight="600", class_="title")
+        drawn += label(middle, above + 13, words, text_anchor="middle", font_weight="600", class_="title")
         drawn += draw_frame(motion, frame, x, y)
-    total = height + 24
+    total = -(-len(frames) // columns) * (height + 24)
     if motion.moments:
         drawn += colour_key(motion, 6, total + 6, 180)
         total += 32

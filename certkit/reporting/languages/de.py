@@ -118,6 +118,8 @@ WORDS = MappingProxyType(
         "The front": "Die Fahrzeugfront",
         "The run cannot be trusted, so there is no verdict.": "Der Lauf ist nicht vertrauenswürdig, daher gibt es kein Urteil.",
         "The test at a few instants": "Der Versuch zu einigen Zeitpunkten",
+        "The rig": "Der Prüfstand",
+        "As it stands in the laboratory, to scale, when the run begins.": "Wie er im Labor steht, maßstäblich, bei Beginn der Rechnung.",
         "The test in motion": "Der Versuch in Bewegung",
         "This simulation": "Diese Simulation",
         "Time": "Zeit",

@@ -118,6 +118,8 @@ WORDS = MappingProxyType(
         "The front": "車両前部",
         "The run cannot be trusted, so there is no verdict.": "計算結果が信頼できないため、判定はありません。",
         "The test at a few instants": "代表時刻の試験の様子",
+        "The rig": "試験装置",
+        "As it stands in the laboratory, to scale, when the run begins.": "試験室での配置（縮尺どおり、計算開始時）。",
         "The test in motion": "試験の動き",
         "This simulation": "本シミュレーション",
         "Time": "時間",
