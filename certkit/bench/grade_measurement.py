@@ -47,7 +47,8 @@ def grade(
     data : str or Path
         ISO-MME folder, archive or `.mme` file, CSV file, or the folder of a run with its `channels.csv`.
     laboratory : str or Path, optional
-        `lab.yaml`: header, sensors, decision rule, uncertainties, conditions.
+        `lab.yaml`: header, sensors, decision rule, uncertainties, conditions; with the file that it shares.
+        Where it has `numbering`, the report's number is entered in its register.
     mapping : str or Path, optional
         The laboratory's columns, codes, signs and conditions.
     lenient : bool
@@ -72,7 +73,8 @@ def grade(
         data = data / "channels.csv"  # the folder of a run
     read = read_recording(data, own, lenient=lenient, tables=(channels,))
     _check_amount(read.recording, data)
-    lab = read_laboratory(laboratory, channels) if laboratory else NO_LABORATORY
+    test = " ".join((setup.procedure.procedure, *sorted(file.sha256 for file in read.files)))
+    lab = read_laboratory(laboratory, channels, test=test) if laboratory else NO_LABORATORY
     conditions = merged_conditions(read.told, lab.conditions, str(laboratory))
     files = (
         InputFile(role="recording", path=_shown(data, file.name), sha256=file.sha256) for file in read.files

@@ -1,61 +1,89 @@
-"""A laboratory's file in the terms of grading: header, logo, sensor checks, decision rule, uncertainties."""
+"""A laboratory's file in the terms of grading: header, calibration checks, decision rule, uncertainties."""
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import re
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.definitions.laboratory import Laboratory
+from certkit.bench.laboratory_files import read_files
+from certkit.bench.report_register import report_number
 from certkit.definitions.loading.channel_tables import default_channels
-from certkit.definitions.loading.validation import read_bytes, validate
-from certkit.definitions.loading.yaml_reader import read_tree
-from certkit.documents.result import InputFile, PreconditionResult
+from certkit.documents.result import PreconditionResult
 from certkit.errors import DataError, DefinitionError, Problem
 from certkit.exchange.codes import code_table
 from certkit.exchange.conditions import Told, read_condition, together
-from certkit.files.bounded import open_plain
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
 from certkit.grading.grading_terms import LaboratoryTerms
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
+    from datetime import date
 
     from certkit.definitions.channels import ChannelTable
-
-LOGO_BYTES = 300_000
-LOGO_PIXELS = 4_000
-"""Largest logo: it is embedded in every page and certificate."""
-
-_PNG = b"\x89PNG\r\n\x1a\n"
-_JPEG = b"\xff\xd8\xff"
+    from certkit.definitions.laboratory import Laboratory
+    from certkit.documents.result import InputFile
 
 
-def read_laboratory(path: str | Path, channels: ChannelTable | None = None) -> LaboratoryTerms:
+def read_laboratory(
+    path: str | Path, channels: ChannelTable | None = None, *, test: str = ""
+) -> LaboratoryTerms:
     """Read `lab.yaml`; `channels` are those of the legform that was tested.
+
+    Parameters
+    ----------
+    path : str or Path
+    channels : ChannelTable, optional
+        The shipped legform's when missing.
+    test : str
+        What makes it this test and no other, for the register of report numbers; none is given out without.
 
     Raises
     ------
     DefinitionError
-        With all problems of the file; also when its logo cannot be used.
+        With all problems of the file; also when its logo cannot be used, or it describes no test.
     """
     path = Path(path)
-    data = read_bytes(path)
-    laboratory = validate(read_tree(data, path.name), Laboratory, channels=channels)
-    logo = embedded_logo(laboratory.logo, path.parent) if laboratory.logo else None
-    digest = hashlib.sha256(data).hexdigest()
-    source = InputFile(role="laboratory", path=path.name, sha256=digest, text=data.decode("utf-8-sig"))
-    return laboratory_terms(laboratory, logo, source, channels)
+    found = read_files(path, channels)
+    laboratory = found.laboratory
+    if laboratory.test is None:
+        raise DefinitionError(
+            [
+                Problem(
+                    path.name, 0, 0, "describes no test; name the test's file, with this one as its `shared`"
+                )
+            ]
+        )
+    number = laboratory.test.number or ""
+    if laboratory.numbering is not None and test:
+        register = path.parent / laboratory.numbering.register_
+        number = report_number(register, laboratory.numbering.pattern, test, laboratory.test, number)
+    return laboratory_terms(laboratory, found.logo, found.inputs, channels, number=number)
 
 
 def laboratory_terms(
-    laboratory: Laboratory, logo: str | None, source: InputFile, channels: ChannelTable | None = None
+    laboratory: Laboratory,
+    logo: str | None,
+    sources: Sequence[InputFile],
+    channels: ChannelTable | None = None,
+    *,
+    number: str = "",
 ) -> LaboratoryTerms:
     """Bring a laboratory's words into the terms of grading; `channels` are those of the legform.
+
+    Parameters
+    ----------
+    laboratory : Laboratory
+        With item and test.
+    logo : str, optional
+        As it is embedded.
+    sources : sequence of InputFile
+        The files.
+    channels : ChannelTable, optional
+    number : str
+        Of the report, where the register gave it.
 
     Raises
     ------
@@ -63,38 +91,44 @@ def laboratory_terms(
         When a condition is no quantity.
     """
     rule, known = laboratory.decision, channels or default_channels()
-    if laboratory.item.legform is None:
-        item = laboratory.item.model_copy(update={"legform": known.impactor})
+    item, test = laboratory.item, laboratory.test
+    if test is None or item is None:
+        raise DataError(f"{sources[0].path}: names no item and no test")
+    if item.legform is None:
+        item = item.model_copy(update={"legform": known.impactor})
         laboratory = laboratory.model_copy(update={"item": item})
+    if number:
+        test = test.model_copy(update={"number": number})
+        laboratory = laboratory.model_copy(update={"test": test})
     return LaboratoryTerms(
         header=laboratory.header(logo),
-        checks=_sensor_checks(laboratory),
+        checks=_calibration_checks(laboratory, test.performed),
         decision=DecisionRule(rule.r) if rule.rule == "guard band" else SIMPLE_ACCEPTANCE,
         uncertainties={name: laboratory.uncertainty(name, known) for name in laboratory.uncertainties},
         conditions=_conditions(laboratory),
-        specimen={"legform": laboratory.item.legform or known.impactor, "serial": laboratory.item.serial},
-        inputs=(source,),
+        specimen={"legform": item.legform or known.impactor, "serial": item.serial},
+        inputs=tuple(sources),
     )
 
 
-def _sensor_checks(laboratory: Laboratory) -> tuple[PreconditionResult, ...]:
-    expired = laboratory.expired_sensors
-    day = laboratory.test.performed
+def _calibration_checks(laboratory: Laboratory, day: date) -> tuple[PreconditionResult, ...]:
+    """Hold the calibration of each sensor and of other equipment against the day of the test."""
+    sensors = [(each, f"sensor {each.serial} ({each.channel})", each.channel) for each in laboratory.sensors]
+    others = [(each, f"{each.name} {each.serial}", "") for each in laboratory.equipment]
     rows = []
-    for sensor in laboratory.sensors:
-        left = (sensor.expires - day).days
+    for each, named, channel in (*sensors, *others):
+        left = (each.expires - day).days
         reason = None
-        if sensor in expired:
-            reason = Reason.of(
-                "sensor-expired" if left < 0 else "sensor-calibrated-later",
-                sensor=sensor.serial,
-                channel=sensor.channel,
-                day=str(sensor.expires if left < 0 else sensor.calibrated),
-                tested=str(day),
-            )
+        if not each.covers(day):
+            told = {"day": str(each.expires if left < 0 else each.calibrated), "tested": str(day)}
+            late = "expired" if left < 0 else "calibrated-later"
+            if channel:
+                reason = Reason.of(f"sensor-{late}", sensor=each.serial, channel=channel, **told)
+            else:
+                reason = Reason.of(f"equipment-{late}", equipment=named, **told)
         rows.append(
             PreconditionResult(
-                quantity=f"calibration left, sensor {sensor.serial} ({sensor.channel})",
+                quantity=f"calibration left, {named}",
                 value=float(left),
                 unit="d",
                 lower=0.0,
@@ -180,42 +214,3 @@ def _alike(one: str, other: str) -> bool:
     """Tell whether two names are one but for capitals, blanks and hyphens."""
     first, second = (re.sub(r"[\s_-]+", "", text).casefold() for text in (one, other))
     return first in second or second in first
-
-
-def embedded_logo(name: str, folder: Path) -> str:
-    """Return the picture as a `data:` address.
-
-    Parameters
-    ----------
-    name : str
-        As written in the laboratory file: a file in or below its folder.
-    folder : Path
-        That folder.
-
-    Raises
-    ------
-    DefinitionError
-        When it leads out of the folder, is missing, too large, or no PNG or JPEG.
-    """
-    path = folder / name
-    if not path.resolve().is_relative_to(folder.resolve()):
-        raise _logo_problem(name, "lies outside the laboratory file's folder; put the logo beside the file")
-    if not path.is_file():
-        raise _logo_problem(name, "there is no such logo beside the laboratory file")
-    with open_plain(path) as stream:
-        data = stream.read(LOGO_BYTES + 1)
-    if len(data) > LOGO_BYTES:
-        raise _logo_problem(name, f"is larger than {LOGO_BYTES // 1000} kB; scale the logo down")
-    if data.startswith(_PNG) and data[12:16] == b"IHDR":
-        if max(int.from_bytes(data[16:20], "big"), int.from_bytes(data[20:24], "big")) > LOGO_PIXELS:
-            raise _logo_problem(name, f"is wider or higher than {LOGO_PIXELS} pixels; scale the logo down")
-        kind = "png"
-    elif data.startswith(_JPEG):
-        kind = "jpeg"
-    else:
-        raise _logo_problem(name, "is neither PNG nor JPEG; other formats can carry code")
-    return f"data:image/{kind};base64,{base64.b64encode(data).decode()}"
-
-
-def _logo_problem(name: str, message: str) -> DefinitionError:
-    return DefinitionError([Problem(name, 0, 0, message)])

@@ -6,12 +6,11 @@ import warnings
 from typing import TYPE_CHECKING
 
 from certkit.bench.fit_origins import fits_of, fitted_to, on_bounds
+from certkit.bench.laboratory_files import ROLE, laboratory_of
 from certkit.bench.laboratory_terms import laboratory_terms
 from certkit.bench.setup import prepare, without_model
-from certkit.definitions.laboratory import Laboratory
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.search_path import TextShelf
-from certkit.definitions.loading.validation import validate
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.channel_curves import recording_of
 from certkit.errors import DataError, OldFormWarning
@@ -120,8 +119,11 @@ def _simulated_terms(result: Result, setup: Setup) -> SimulatedTerms:
 
 
 def _laboratory(result: Result, channels: ChannelTable) -> LaboratoryTerms:
-    source = next((item for item in result.provenance.inputs if item.role == "laboratory"), None)
-    if source is None or source.text is None:
+    sources = [item for item in result.provenance.inputs if item.role == ROLE and item.text is not None]
+    if not sources:
         return NO_LABORATORY
-    laboratory = validate(read_tree(source.text, source.path), Laboratory, channels=channels)
-    return laboratory_terms(laboratory, None, source, channels)
+    laboratory = laboratory_of(sources, channels)
+    number = ""
+    if laboratory.numbering is not None and laboratory.test is not None and not laboratory.test.number:
+        number = str(((result.laboratory or {}).get("test") or {}).get("number", ""))  # from the register
+    return laboratory_terms(laboratory, None, sources, channels, number=number)

@@ -120,12 +120,17 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Override
 
 
 def without_model(setup: Setup) -> Setup:
-    """Leave out the numbers of the simulated leg and car; the legform's file stays, for its channels."""
+    """Leave out the numbers of the simulated leg, rig and car; the legform's file stays, for its channels."""
     return replace(
         setup,
         inputs=tuple(item for item in setup.inputs if item.role != "vehicle"),
-        parameters=tuple(p for p in setup.parameters if not p.path.startswith(OF_THE_MODEL)),
+        parameters=tuple(p for p in setup.parameters if not _of_the_model(p.path)),
     )
+
+
+def _of_the_model(path: str) -> bool:
+    """Tell whether a number is one of the simulation's own."""
+    return path.startswith(OF_THE_MODEL) or path.partition(": ")[2].startswith("rig.")
 
 
 def _sorted_out(overrides: Overrides) -> dict[str, dict[str, object]]:

@@ -21,7 +21,7 @@ from certkit.documents.rounding import Figure, Figures, Point, Points
 from certkit.reasons import Reason
 
 Verdict = Literal["pass", "fail", "conditional", "not evaluated", "error"]
-Kind = Literal["virtual certification", "test evaluation"]
+Kind = Literal["virtual certification", "virtual test", "test evaluation"]
 
 
 class Spread(Part):

@@ -13,6 +13,10 @@ if TYPE_CHECKING:
     from certkit.grading.measure_all import Measurements
 
 
+CALIBRATION = "calibration left, "
+"""Begins the quantity of a precondition that is a calibration; they are counted, not listed."""
+
+
 def foundation(
     measured: Measurements,
     criteria: Sequence[CriterionResult],
@@ -80,9 +84,13 @@ def _model(model: str, fitted: Sequence[Reason]) -> list[Reason]:
 
 
 def _conditions(preconditions: Sequence[PreconditionResult]) -> list[Reason]:
-    kept = [row.quantity for row in preconditions if row.verdict == "pass"]
-    open_ones = [row.quantity for row in preconditions if row.verdict != "pass"]
+    calibrations = [row for row in preconditions if row.quantity.startswith(CALIBRATION)]
+    others = [row for row in preconditions if row not in calibrations]
+    kept = [row.quantity for row in others if row.verdict == "pass"]
+    open_ones = [row.quantity for row in others if row.verdict != "pass"]
+    rest = [Reason.of("conditions-open", conditions=open_ones)] if open_ones else []
+    if calibrations:
+        rest.insert(0, Reason.of("calibrations-valid", count=len(calibrations)))
     if not kept:
         return []
-    code_open = [Reason.of("conditions-open", conditions=open_ones)] if open_ones else []
-    return [Reason.of("pass-rests-on-conditions", conditions=kept, rest=code_open)]
+    return [Reason.of("pass-rests-on-conditions", conditions=kept, rest=rest)]

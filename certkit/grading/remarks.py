@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 TITLES: dict[Kind, str] = {
     "virtual certification": "model-not-legform",
+    "virtual test": "simulated-by-others",
     "test evaluation": "no-calibration-certificate",
 }
 """Code of what a document of each kind is not."""
@@ -67,7 +68,7 @@ def remarks(
         said.append(Reason.of("not-covered", criteria=shown))
     if comparison is not None:
         said.append(_compared(comparison))
-    if kind == "virtual certification" and parameters:
+    if kind != "test evaluation" and parameters:
         said.append(_model(parameters))
     said.append(Reason.of(TITLES[kind]))
     return said

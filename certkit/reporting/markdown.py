@@ -44,7 +44,7 @@ def _one(view: View) -> str:
     lines += [_criterion(row) for row in view.rows]
     if result.comparison:
         lines += ["", f"rms error against {_cell(result.comparison.reference)}: {view.error} %"]
-    lines += ["", f"Certificate `{result.id}`", ""]
+    lines += ["", f"Report `{result.id}`", ""]
     return "\n".join(lines)
 
 

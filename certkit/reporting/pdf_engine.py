@@ -1,4 +1,4 @@
-"""Pages on paper: PDF/A-3u by WeasyPrint, the same bytes every time, with files attached.
+"""Pages on paper: PDF/A-3a by WeasyPrint, the same bytes every time, with files attached.
 
 Fonts come from the templates' folder alone: whatever else a document might ask for is refused, so nothing is
 fetched.
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def typeset(html: str, enclosed: Sequence[Enclosure], created: datetime) -> bytes:
-    """Return an HTML document as PDF/A-3u.
+    """Return an HTML document as PDF/A-3a.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def typeset(html: str, enclosed: Sequence[Enclosure], created: datetime) -> byte
         # WeasyPrint leaves its colour profile's file to the garbage collector.
         warnings.simplefilter("ignore", ResourceWarning)
         pdf: bytes = document.write_pdf(
-            pdf_variant="pdf/a-3u", attachments=attached, finisher=_finish, custom_metadata=False
+            pdf_variant="pdf/a-3a", attachments=attached, finisher=_finish, custom_metadata=False
         )
     return pdf
 

@@ -1,4 +1,4 @@
-"""The PDF certificate: PDF/A-3u by WeasyPrint, with its evidence attached, the same bytes every time.
+"""The PDF certificate: PDF/A-3a by WeasyPrint, with its evidence attached, the same bytes every time.
 
 The embedded result document says everything; the pages show it.
 """

@@ -16,14 +16,19 @@ from certkit.reporting.margins import margin_words, nearest_words, tally, worst
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.documents.result import CriterionResult, Result
+    from certkit.documents.result import CriterionResult, PreconditionResult, Result
     from certkit.reporting.svg import Drawing
     from certkit.reporting.vehicle_front_view import FrontView
 
 KINDS = {
-    "virtual certification": ("Virtual certification of the model", "simulated test"),
-    "test evaluation": ("Test evaluation", "measured test"),
+    "virtual certification": ("Model validation report", "simulated test"),
+    "virtual test": ("Virtual test report", "simulated test of others"),
+    "test evaluation": ("Test report", "measured test"),
 }
+"""What the report of each kind of result is called, and what it is of."""
+
+CALIBRATION = "calibration left, "
+"""Begins the quantity of a precondition that stands in the table of equipment."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +87,31 @@ class View:
     specimen: list[tuple[str, str]]
     numbers: list[NumberGroup]
     number_sources: list[str]
+
+    @property
+    def conditions(self) -> list[PreconditionResult]:
+        """The preconditions that are no calibrations; those stand in the table of equipment."""
+        tabled = self.laboratory is not None and self.laboratory.tables
+        return [
+            row for row in self.result.preconditions if not (tabled and row.quantity.startswith(CALIBRATION))
+        ]
+
+    @property
+    def reference(self) -> str:
+        """What the report is referred to by: its number and revision, else its id."""
+        lab, t = self.laboratory, self.spoken.word
+        if lab is None or not lab.number:
+            return self.result.id or t("without id")
+        return f"{lab.number}, {t('revision')} {lab.revision}"
+
+    @property
+    def recordings(self) -> list[tuple[str, int]]:
+        """The recorded files by the container or folder that they came in, with how many there are."""
+        counts: dict[str, int] = {}
+        for item in self.result.provenance.inputs:
+            if item.role == "recording":
+                counts[item.path.partition("/")[0]] = counts.get(item.path.partition("/")[0], 0) + 1
+        return list(counts.items())
 
     @property
     def sign(self) -> str:
@@ -202,7 +232,7 @@ def view(result: Result, *, suffix: str = "", spoken: str = ENGLISH) -> View:
         nearest_words=nearest_words(nearest, chosen),
         rows=[criterion_row(criterion, key, drawn, sources, t) for criterion in result.criteria],
         sources=sources,
-        laboratory=laboratory_view(result.laboratory),
+        laboratory=laboratory_view(result.laboratory, t),
         specimen=[(t(name), value) for name, value in result.specimen.items()],
         numbers=_numbers(result, number_sources),
         number_sources=number_sources,

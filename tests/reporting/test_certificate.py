@@ -50,10 +50,13 @@ def text_of(made: bytes, tmp_path: Path) -> str:
     return subprocess.run([program, "-layout", path, "-"], check=True, capture_output=True, text=True).stdout
 
 
-def test_it_says_to_be_pdf_a_3u(pdf: pikepdf.Pdf):
+def test_it_says_to_be_pdf_a_3a_with_its_structure(pdf: pikepdf.Pdf):
     with pdf.open_metadata() as metadata:
         assert metadata["pdfaid:part"] == "3"
-        assert metadata["pdfaid:conformance"] == "U"
+        assert metadata["pdfaid:conformance"] == "A"
+    assert pdf.Root.MarkInfo.Marked
+    assert "/StructTreeRoot" in pdf.Root
+    assert str(pdf.Root.Lang) == "en"
 
 
 def test_its_colours_have_an_output_intent(pdf: pikepdf.Pdf):
@@ -113,14 +116,14 @@ def test_pages_are_labelled_as_they_are_numbered(pdf: pikepdf.Pdf):
 def test_bookmarks_lead_to_the_title_and_its_sections(pdf: pikepdf.Pdf):
     with pdf.open_outline() as outline:
         assert outline.root[0].title == "Dynamic certification, pendulum test"
-        assert "Criteria" in [item.title for item in outline.root[0].children]
+        assert "Results" in [item.title for item in outline.root[0].children]
 
 
 def test_the_text_has_verdict_id_and_every_criterion(made: bytes, tmp_path: Path):
     text = text_of(made, tmp_path)
     assert "FAIL" in text.split("\f")[0]
     assert "PASS" not in text
-    assert f"End of certificate {synthetic_result.laboratory_result().id}" in text
+    assert f"End of report {synthetic_result.laboratory_result().id}" in text
     for criterion in synthetic_result.laboratory_result().criteria:
         assert re.search(rf"\b{criterion.id}\b", text)
 
@@ -128,7 +131,7 @@ def test_the_text_has_verdict_id_and_every_criterion(made: bytes, tmp_path: Path
 def test_every_page_bears_the_id_and_its_number_of_the_total(made: bytes, tmp_path: Path):
     pages = text_of(made, tmp_path).split("\f")[:-1]
     for number, page in enumerate(pages, 1):
-        assert f"Certificate {synthetic_result.laboratory_result().id}" in page
+        assert f"Test report {synthetic_result.laboratory_result().id}" in page
         assert f"Page {number} of {len(pages)}" in page
 
 
@@ -238,3 +241,60 @@ def test_without_pango_all_other_reports_are_written_and_one_remark_says_so(tmp_
     with pytest.warns(LeftOutWarning, match=r"report\.pdf is not written: the PDF needs the Pango library"):
         written = render(synthetic_result.static_result(), tmp_path, ["pdf", "html", "md", "junit"])
     assert {path.name for path in written} == {"junit.xml", "summary.md", "report.html"}
+
+
+MEASURED = Path(__file__).parents[2] / "examples" / "measured"
+
+
+@pytest.fixture(scope="module")
+def measured() -> Result:
+    import certkit  # noqa: PLC0415  # numba waits until it is needed
+
+    data = MEASURED / "FLX-0007-pendulum.zip"
+    return certkit.grade("pendulum", data, laboratory=MEASURED / "lab.yaml")
+
+
+def test_a_test_report_has_four_pages_at_most_and_then_its_annex(measured: Result, tmp_path: Path):
+    pages = text_of(certificate(unique_views([measured])), tmp_path).split("\f")[:-1]
+    annex = next(number for number, page in enumerate(pages) if "Annex: processing" in page)
+    assert annex <= 4
+    assert "Annex" not in "".join(pages[:annex])
+    cover = pages[0]
+    for said in (
+        "Test report",
+        "Report 2026-014, revision 0",
+        "issued on 2026-03-03",
+        "Example Crash Laboratory",
+        "Example Motors",
+        "FLX-0007",
+        "2026-02-23",
+        "2026-03-02",
+        "relate only to the item tested",
+        "guard band",
+        "A. Tester",
+        "B. Signatory",
+    ):
+        assert said in cover
+    assert "certkit" not in "".join(pages[:annex])
+    assert all("Example Crash Laboratory" in page for page in pages)
+    assert any("Calibration due" in page and "SG-11" in page for page in pages[:annex])
+
+
+def test_numbers_of_the_simulations_rig_do_not_stand_in_a_measured_report(measured: Result):
+    assert measured.parameters
+    assert not [number.path for number in measured.parameters if ": rig." in number.path]
+
+
+@pytest.mark.parametrize(
+    ("kind", "called"),
+    [
+        ("test evaluation", "Test report"),
+        ("virtual test", "Virtual test report"),
+        ("virtual certification", "Model validation report"),
+    ],
+)
+def test_a_report_is_called_what_it_is_in_title_and_header(kind: str, called: str):
+    shown = unique_views([synthetic_result.static_result().model_copy(update={"kind": kind})])
+    assert shown[0].heading == called
+    with pikepdf.open(io.BytesIO(certificate(shown))) as pdf:
+        assert str(pdf.docinfo.Title).startswith(f"{called} ")

@@ -40,6 +40,7 @@ MADE_FROM_PARTS = {
     "simple-acceptance",
     "guard-band",
     "model-not-legform",
+    "simulated-by-others",
     "no-calibration-certificate",
     "energy-balance",
     "joint-gap",
@@ -49,6 +50,8 @@ MADE_FROM_PARTS = {
     "flesh-depth",
     "sensor-expired",
     "sensor-calibrated-later",
+    "equipment-expired",
+    "equipment-calibrated-later",
 }
 """Codes that do not stand as a word in `Reason.of("…")`, but in a table or a choice."""
 

@@ -121,6 +121,8 @@ REASONS = MappingProxyType(
         "fitted-to-corridors": "which the fit {fit} aimed at these very corridors",
         "fitted-to-reference": "which the fit {fit} aimed at the reference of this test",
         "pass-rests-on-conditions": "Rests on conditions that were recorded and kept: {conditions:and}{rest:join}.",
+        "calibrations-valid": "; {count} calibrations that cover the day of the test",
+        "simulated-by-others": "A virtual test: simulated by another program, graded here; not a test of a legform.",
         "conditions-open": "; not recorded, and not required: {conditions:list}",
         "fitted-on-bounds": "Fitted values that stand on a bound of the fit {fit}: {parameters:list}.",
         "group-travel": "travel of a front's group",
@@ -157,6 +159,8 @@ REASONS = MappingProxyType(
         "condition-not-finite": "{quantity} is not a number",
         "condition-not-finite-not-required": "{quantity} is not a number; it is not required",
         "condition-outside": "{quantity} {value:.4g} {unit} is outside {lower} to {upper}",
+        "equipment-expired": "the calibration of {equipment} expired on {day}; the test was on {tested}",
+        "equipment-calibrated-later": "{equipment} was calibrated on {day} only; the test was on {tested}",
         "sensor-expired": (
             "the calibration of sensor {sensor} ({channel}) expired on {day}; the test was on {tested}"
         ),
