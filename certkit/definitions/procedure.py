@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Document, Section, Sourced
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.faults import Fault, Faults
+from certkit.definitions.measures import MEASURES
 from certkit.definitions.provenance import Confidence, Time
 from certkit.definitions.rig import Rig
 from certkit.definitions.units import UNITS, parse_quantity
@@ -69,8 +70,10 @@ class At(Document):
 
 
 Filter = Literal["none", "CFC 60", "CFC 180", "CFC 600", "CFC 1000"]
-Measure = Literal["max", "min", "max abs", "value at", "time of max", "curve in polygon", "curve in band"]
-MEASURES: tuple[str, ...] = get_args(Measure)
+if TYPE_CHECKING:
+    Measure = str
+else:
+    Measure = Literal[tuple(MEASURES)]
 
 
 class Criterion(Document):

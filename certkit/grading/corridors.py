@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.definitions.channels import TIME, Dimension
-from certkit.definitions.corridor_set import Band, Polygon, ValueWindow
 from certkit.definitions.loading.channel_tables import default_channels
+from certkit.definitions.measures import MEASURES
 from certkit.errors import UsageError
-from certkit.grading.measure import quantity
+from certkit.grading.trace import quantity
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -20,13 +20,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.definitions.channels import ChannelTable
-    from certkit.definitions.corridor_set import CorridorSet
+    from certkit.definitions.corridor_set import Band, CorridorSet, Polygon, ValueWindow
     from certkit.definitions.procedure import Criterion
     from certkit.definitions.provenance import Confidence
-    from certkit.grading.measure import Trace
-
-# What a measure is held against; all others need a window.
-KINDS: dict[str, type[Polygon | Band]] = {"curve in polygon": Polygon, "curve in band": Band}
+    from certkit.grading.trace import Trace
 
 
 @dataclass(frozen=True)
@@ -84,7 +81,7 @@ def find_corridor(
     if entry_name not in found.entries:
         return Missing(Reason.of("corridor-not-in-set", set=name, entry=entry_name), required=True)
     entry = found.entry(entry_name)
-    wanted = KINDS.get(criterion.measure, ValueWindow)
+    wanted = MEASURES[criterion.measure].corridor
     if not isinstance(entry, wanted):
         raise UsageError(
             f"criterion {criterion.id}: `{criterion.measure}` needs a {wanted.noun}, "

@@ -10,6 +10,7 @@ import numpy as np
 from certkit.definitions.corridor_set import Band as BandCorridor
 from certkit.definitions.corridor_set import Polygon, ValueWindow
 from certkit.definitions.loading.channel_tables import default_channels
+from certkit.definitions.measures import MEASURES
 from certkit.documents.channel_curves import MOST_POINTS, plane_points
 from certkit.documents.result import CorridorOverTime, CriterionResult, CurveInPlane, Uncertainty
 from certkit.grading.corridor_distance import band_distance, end_faces, polygon_distance, refined
@@ -27,7 +28,8 @@ if TYPE_CHECKING:
     from certkit.definitions.channels import ChannelTable, Dimension
     from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.procedure import Criterion
-    from certkit.grading.measure import MeasuredValue, Trace
+    from certkit.grading.measured_value import MeasuredValue
+    from certkit.grading.trace import Trace
 
 START_OF_CURVE = 0.1
 """Share of a curve's largest ordinate below which the margin is not taken: corridors begin narrow."""
@@ -197,7 +199,7 @@ def _hold(
         judged = _judged(measured.value, entry.decimals, dimension, (lower, upper))
         return _Held(measured.value, measured.time, lower, upper, judged=judged, exclusive=entry.exclusive)
     if corridor is None or isinstance(entry, ValueWindow) or entry is None:
-        return _shown_only(trace, criterion.measure)
+        return _shown_only(trace, drawn=MEASURES[criterion.measure].corridor is Polygon)
     if isinstance(entry, Polygon):
         return _inside_polygon(trace, polygon_corners(corridor, entry, criterion, trace, channels))
     return _inside_band(trace, corridor, entry)
@@ -214,10 +216,10 @@ def _judged(
     return same[0] if same else shown / dimension.scale
 
 
-def _shown_only(trace: Trace, how: str) -> _Held:
+def _shown_only(trace: Trace, *, drawn: bool) -> _Held:
     """Give the largest ordinate of a curve that nothing is held against."""
     index = int(np.argmax(np.abs(trace.y)))
-    pictures = {"curve": _plane(trace, None)} if how == "curve in polygon" else {}
+    pictures = {"curve": _plane(trace, None)} if drawn else {}
     return _Held(float(trace.y[index]), float(trace.time[index]), pictures=pictures)
 
 

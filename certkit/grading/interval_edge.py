@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import DataError
-from certkit.grading.measure import EvaluationWindow, NoInterval, trace_of
+from certkit.grading.measure import NoInterval
+from certkit.grading.measures import method_of
+from certkit.grading.trace import EvaluationWindow, trace_of
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -46,8 +48,9 @@ def interval_edge(measured: Measurements, criteria: Sequence[CriterionResult]) -
             trace = trace_of(criterion, measured.filtered, window)
         except DataError:
             continue
-        signed = _signed(trace.y, criterion.measure) * trace.y_dimension.scale
-        if criterion.measure not in {"max", "min", "max abs"} or trace.time[0] > end - NEAR:
+        method = method_of(criterion.measure)
+        signed = method.turned(trace.y) * trace.y_dimension.scale
+        if not method.is_peak or trace.time[0] > end - NEAR:
             continue
         inside = float(signed[trace.time <= end].max())
         shorter = float(signed[trace.time <= end - NEAR].max())
@@ -75,10 +78,6 @@ def interval_edge(measured: Measurements, criteria: Sequence[CriterionResult]) -
                 )
             )
     return said
-
-
-def _signed(values: NDArray[np.float64], how: str) -> NDArray[np.float64]:
-    return np.abs(values) if how == "max abs" else -values if how == "min" else values
 
 
 def _is_peak(signed: NDArray[np.float64], time: NDArray[np.float64], end: float) -> bool:

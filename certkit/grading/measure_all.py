@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
-from certkit.grading.measure import EvaluationWindow, MeasuredValue, NoInterval, measure
+from certkit.grading.measure import NoInterval, measure
 from certkit.grading.plausibility_gate import plausible
+from certkit.grading.trace import EvaluationWindow
 from certkit.reasons import Reason, reason_of
 from certkit.signals import AssessmentInterval, Filtered, assessment_interval, condition
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 
     from certkit.definitions.channels import ChannelTable
     from certkit.definitions.procedure import Criterion, Procedure
+    from certkit.grading.measured_value import MeasuredValue
     from certkit.signals import Recording
 
 INTERVAL_FILTER = "CFC 180"

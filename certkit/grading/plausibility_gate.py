@@ -12,8 +12,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import DataError
-from certkit.grading.measure import EvaluationWindow, MeasuredValue, NoInterval, trace_of
+from certkit.grading.measure import NoInterval, evaluated
+from certkit.grading.measures import method_of
 from certkit.grading.plausible_channels import doubtful_channels
+from certkit.grading.trace import trace_of
 from certkit.reasons import Reason
 from certkit.signals.plausibility_record import BEGIN_TOLERANCE, edge_of_peak, level_at_end, loaded_before
 
@@ -23,11 +25,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.definitions.procedure import Criterion, Procedure
-    from certkit.grading.measure import Trace
+    from certkit.grading.measured_value import MeasuredValue
+    from certkit.grading.trace import EvaluationWindow, Trace
     from certkit.signals import AssessmentInterval, Filtered
 
-PEAKS = ("max", "min", "max abs", "time of max")
-"""Measures whose value is a peak."""
 CROSSING_KEPT = frozenset({"clipped", "clipped-kept", "unit-out-by-ten"})
 """Doubts of a bone channel that leave its zero crossing, and so the assessment interval, where it is."""
 BEYOND = 0.001
@@ -101,15 +102,6 @@ def _shaken_interval(filtered: Filtered, doubts: Mapping[str, Reason]) -> Reason
     return None
 
 
-def evaluated(
-    criterion: Criterion, window: EvaluationWindow, interval: AssessmentInterval | NoInterval
-) -> EvaluationWindow:
-    """Return the seconds that a criterion is measured in."""
-    if criterion.interval != "assessment interval" or isinstance(interval, NoInterval):
-        return window
-    return EvaluationWindow(max(window.start, interval.start), min(window.end, interval.end))
-
-
 def _channels(criterion: Criterion, filtered: Filtered) -> list[str]:
     table = filtered.recording.table
     curve = criterion.curve
@@ -132,7 +124,7 @@ class _Peak:
         time = self.filtered.recording.time
         if time[0] > BEGIN_TOLERANCE:
             return Reason.of("record-begins-late", start=float(time[0]) * 1e3)
-        if self.criterion.measure not in PEAKS or value.time is None:
+        if not method_of(self.criterion.measure).rests_on_peak or value.time is None:
             return None
         try:
             trace = trace_of(self.criterion, self.filtered, self._span())
@@ -154,8 +146,7 @@ class _Peak:
 
     def _signed(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the values so that the peak is their largest one."""
-        how = self.criterion.measure
-        return np.abs(values) if how == "max abs" else -values if how == "min" else values
+        return method_of(self.criterion.measure).turned(values)
 
     def _early(self, signed: NDArray[np.float64], index: int) -> Reason | None:
         """Return whether the channel is loaded before contact, or at the first sample."""

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.grading.measure import EvaluationWindow
+    from certkit.grading.trace import EvaluationWindow
     from certkit.signals import Channel, Filtered
 
 FILTER = "CFC 180"

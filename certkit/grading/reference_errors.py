@@ -14,7 +14,7 @@ from certkit.definitions.channels import DIMENSIONS
 from certkit.definitions.units import dimensions, parse_quantity
 from certkit.documents.result import Comparison, ComparisonRow
 from certkit.errors import UsageError
-from certkit.grading.measure import quantity
+from certkit.grading.trace import quantity
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:

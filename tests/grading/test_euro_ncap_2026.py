@@ -9,7 +9,7 @@ from certkit.definitions.loading.library import load
 from certkit.documents.result import CriterionResult
 from certkit.grading.criterion import Judgement, grade_criterion
 from certkit.grading.half_up import half_up
-from certkit.grading.measure import MeasuredValue
+from certkit.grading.measured_value import MeasuredValue
 from certkit.grading.scores import grade_scores
 
 SCORES = load("corridors", "euro-ncap-2026").document.scores

@@ -8,7 +8,9 @@ from support.sheets import TIME, bump, criterion, recording
 
 from certkit.definitions.channels import TIME as TIME_DIMENSION
 from certkit.errors import UsageError
-from certkit.grading.measure import EvaluationWindow, MeasuredValue, NoInterval, measure
+from certkit.grading.measure import NoInterval, measure
+from certkit.grading.measured_value import MeasuredValue
+from certkit.grading.trace import EvaluationWindow
 from certkit.reasons import Reason
 from certkit.signals import AssessmentInterval, Filtered, Recording
 

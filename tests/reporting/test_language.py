@@ -8,7 +8,6 @@ import string
 import subprocess
 from importlib.metadata import version
 from pathlib import Path
-from typing import get_args
 
 import pytest
 
@@ -16,7 +15,7 @@ from certkit._version import __version__
 from certkit.bench.pdf_attachments import attachments_of
 from certkit.bench.render_documents import render
 from certkit.bench.verify import verify
-from certkit.definitions.procedure import Measure
+from certkit.definitions.measures import MEASURES
 from certkit.documents.wording import without_words
 from certkit.errors import MissingPartError, UsageError
 from certkit.reasons import Reason
@@ -152,7 +151,7 @@ def fixed_words() -> set[str]:
     ]
     found = {word for text in texts for word in re.findall(r"""\bt\(\s*["']([^"']+)["']""", text)}
     kinds = {word for pair in KINDS.values() for word in pair}
-    return found | kinds | set(CONFIDENCE) | set(CONFIDENCE.values()) | set(get_args(Measure))
+    return found | kinds | set(CONFIDENCE) | set(CONFIDENCE.values()) | set(MEASURES)
 
 
 @pytest.mark.parametrize("code", [code for code in languages() if code != "en"])

@@ -16,7 +16,8 @@ from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.field_types import fields
 from certkit.definitions.loading.library import load
 from certkit.definitions.loading.search_path import is_name
-from certkit.definitions.procedure import MEASURES, Criterion
+from certkit.definitions.measures import MEASURES
+from certkit.definitions.procedure import Criterion
 from certkit.definitions.units import parse_quantity
 from certkit.errors import CertkitError
 
@@ -196,14 +197,15 @@ def _criteria(criteria: Any, channels: ChannelTable) -> Iterator[Finding]:  # no
 def _criterion(criterion: dict[str, Any], channels: ChannelTable) -> Iterator[Finding]:
     measure, channel, curve = (criterion.get(key) for key in ("measure", "channel", "curve"))
     misspelt = set(criterion) - set(fields(Criterion))
-    if measure in MEASURES and not misspelt:
-        drawn = measure == "curve in polygon"
-        if drawn and curve is None:
-            yield ("measure",), "`curve in polygon` needs a `curve: {x: …, y: …}` of two channels"
-        if not drawn and channel is None:
-            yield ("measure",), f"`{measure}` needs a `channel`; {suggestion('', list(channels.kinds))}"
-        if measure == "value at" and criterion.get("at") is None:
-            yield ("measure",), "`value at` needs `at: {channel: …, equals: …}`"
+    if isinstance(measure, str) and measure in MEASURES and not misspelt:
+        forms = {
+            "channel": f"a `channel`; {suggestion('', list(channels.kinds))}",
+            "curve": "a `curve: {x: …, y: …}` of two channels",
+            "at": "`at: {channel: …, equals: …}`",
+        }
+        for key in MEASURES[measure].needs:
+            if criterion.get(key) is None:
+                yield ("measure",), f"`{measure}` needs {forms[key]}"
     yield from _channel(("channel",), channel, channels)
     if isinstance(curve, dict):
         for axis in ("x", "y"):

@@ -9,6 +9,7 @@ from certkit.definitions.loading.channel_tables import default_channels, legform
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import find, load
+from certkit.definitions.measures import MEASURES
 from certkit.definitions.units import parse_quantity
 from certkit.errors import DefinitionError, UsageError
 
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Criterion, Procedure
     from certkit.errors import Problem
 
-_FITTING: dict[str, type[ValueWindow | Polygon | Band]] = {"curve in polygon": Polygon, "curve in band": Band}
 _WORDS = {ValueWindow: "window", Polygon: "polygon", Band: "band"}
 
 
@@ -95,7 +95,7 @@ def _unfit(
     """Yield why a criterion cannot be held against its corridor; an awaited one always fits."""
     if corridor is None:
         return
-    wanted = _FITTING.get(criterion.measure, ValueWindow)
+    wanted = MEASURES[criterion.measure].corridor
     if not isinstance(corridor, wanted):
         yield f"is a {_WORDS[type(corridor)]}, but `{criterion.measure}` is held against a {_WORDS[wanted]}"
     elif isinstance(corridor, Polygon):
@@ -106,7 +106,7 @@ def _unfit(
                 yield f"has {title} on its {axis} axis; the criterion's curve has another channel there"
     elif isinstance(corridor, ValueWindow):
         kind = channels.find(criterion.channel or "")
-        quantity = "time" if criterion.measure == "time of max" else kind.dimension.quantity if kind else None
+        quantity = MEASURES[criterion.measure].quantity or (kind.dimension.quantity if kind else None)
         for text in (corridor.lower, corridor.upper):
             if text is not None and quantity is not None:
                 yield from _wrong_unit(text, quantity)

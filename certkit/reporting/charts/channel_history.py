@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.definitions.measures import MEASURES
 from certkit.reporting import palette
 from certkit.reporting.charts.axes import Frame
 from certkit.reporting.number_format import criterion_decimals, fixed, milliseconds, named
@@ -25,7 +26,8 @@ def peak_of(criterion: CriterionResult, series: Series, axis: list[float]) -> tu
         return None
     at = criterion.time * 1e3
     nearest = min(range(len(axis)), key=lambda i: abs(axis[i] - at))
-    turned = criterion.measure == "max abs" and series.values[nearest] < 0
+    kind = MEASURES.get(criterion.measure)
+    turned = kind is not None and kind.magnitude and series.values[nearest] < 0
     return at, -criterion.value if turned else criterion.value
 
 

@@ -12,7 +12,7 @@ from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.channels import TIME
 from certkit.definitions.loading.library import load
 from certkit.errors import UsageError
-from certkit.grading.measure import quantity
+from certkit.grading.trace import quantity
 from certkit.signals import Filtered
 from certkit.studies.calibration.targets import Goal
 from certkit.studies.quantity import share

@@ -1,0 +1,93 @@
+"""The samples that a criterion is measured on: its channels, filtered and cut to the seconds that count."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit.definitions.channels import TIME, Dimension
+from certkit.definitions.units import parse_quantity
+from certkit.errors import UsageError
+from certkit.reasons import Reason, UnusableError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from certkit.definitions.procedure import Criterion
+    from certkit.signals import Filtered
+
+
+@dataclass(frozen=True)
+class Trace:
+    """The samples that a criterion is measured on: abscissa and ordinate with their titles and units.
+
+    Over time, `x` is the time and `x_dimension` is TIME.
+    """
+
+    time: NDArray[np.float64]
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    x_title: str
+    y_title: str
+    x_dimension: Dimension
+    y_dimension: Dimension
+
+
+@dataclass(frozen=True)
+class EvaluationWindow:
+    """The part of the recording that counts, s; both ends belong to it."""
+
+    start: float
+    end: float
+
+
+def quantity(text: str, dimension: Dimension, where: str) -> float:
+    """Read a quantity of a channel's dimension, SI.
+
+    Raises
+    ------
+    UsageError
+        When its unit is not one of the dimension; `where` says in which definition it stands.
+    """
+    try:
+        return parse_quantity(text, dimension.quantity)
+    except ValueError as error:
+        raise UsageError(f"{where}: {error}") from error
+
+
+def ordinate(criterion: Criterion) -> str:
+    """Return the channel that is measured."""
+    name = criterion.curve.y if criterion.curve is not None else criterion.channel
+    if name is None:
+        raise UsageError(f"criterion {criterion.id}: names neither a `channel` nor a `curve`; add one")
+    return name
+
+
+def trace_of(criterion: Criterion, filtered: Filtered, window: EvaluationWindow) -> Trace:
+    """Cut the criterion's channels to the window.
+
+    Raises
+    ------
+    DataError
+        When a channel is missing or cannot be used, or no sample lies in the window.
+    """
+    time = filtered.recording.time
+    slack = 1e-9 + 1e-6 * abs(filtered.recording.interval) if time.size > 1 else 1e-9
+    inside = (time >= window.start - slack) & (time <= window.end + slack)
+    table = filtered.recording.table
+    name = table.name(ordinate(criterion))
+    values = filtered.values(name, criterion.filter)
+    if not inside.any():
+        begin, end = window.start * 1e3, window.end * 1e3
+        raise UnusableError(
+            f"nothing was recorded from {begin:.6g} to {end:.6g} ms after contact",
+            Reason.of("nothing-recorded", start=begin, end=end),
+        )
+    y = filtered.recording[name]
+    if criterion.curve is None:
+        return Trace(time[inside], time[inside], values[inside], "time", y.title, TIME, y.dimension)
+    abscissa = table.name(criterion.curve.x)
+    across = filtered.values(abscissa, criterion.filter)
+    x = filtered.recording[abscissa]
+    return Trace(time[inside], across[inside], values[inside], x.title, y.title, x.dimension, y.dimension)

@@ -1,0 +1,85 @@
+"""Add one, touch one: a measure, a format, a design … is one file and at most one line elsewhere."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+import certkit.grading.measures as measure_files
+from certkit.definitions.measures import MEASURES, MeasureKind
+from certkit.grading.measure import NoInterval, measure
+from certkit.grading.measures import method_of
+from certkit.grading.trace import EvaluationWindow
+from certkit.signals import Filtered
+from tests.support.sheets import bump, criterion, recording
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+PACKAGE = Path(__file__).parents[2] / "certkit"
+
+
+def files(folder: str) -> set[str]:
+    return {path.stem for path in (PACKAGE / folder).glob("*.py")} - {"__init__"}
+
+
+def saying(words: set[str], besides: str) -> list[str]:
+    """Return the modules that hold one of these words as text, besides the list and the languages."""
+    found = []
+    for path in sorted(PACKAGE.rglob("*.py")):
+        place = path.relative_to(PACKAGE).as_posix()
+        if place == besides or place.startswith("reporting/languages/"):
+            continue
+        texts = {
+            node.value
+            for node in ast.walk(ast.parse(path.read_text("utf-8")))
+            if isinstance(node, ast.Constant) and isinstance(node.value, str)
+        }
+        found += [f"{place}: {word}" for word in sorted(texts & words)]
+    return found
+
+
+def with_file(monkeypatch: pytest.MonkeyPatch, package: ModuleType, tmp_path: Path, name: str, text: str):
+    """Let a package find one more file, as if it lay in its folder."""
+    (tmp_path / f"{name}.py").write_text(text, "utf-8")
+    monkeypatch.setattr(package, "__path__", [*package.__path__, str(tmp_path)])
+
+
+def test_measures_are_named_in_one_place():
+    assert {word.replace(" ", "_") for word in MEASURES} == files("grading/measures") - {"measure_method"}
+    several_words = {word for word in MEASURES if " " in word}
+    assert saying(several_words, "definitions/measures.py") == []
+
+
+MAX_OVER_3_MS = """
+import numpy as np
+from certkit.grading.measured_value import MeasuredValue
+from certkit.grading.measures.measure_method import MeasureMethod
+
+class MaxOver3Ms(MeasureMethod):
+    rests_on_peak = True
+
+    def take(self, trace, criterion, filtered, window):
+        count = round(0.003 / (trace.time[1] - trace.time[0])) + 1
+        lowest = np.lib.stride_tricks.sliding_window_view(trace.y, count).min(axis=1)
+        index = int(lowest.argmax())
+        return MeasuredValue(float(lowest[index]), float(trace.time[index]), trace.y_dimension)
+"""
+
+
+def test_a_measure_is_one_file_and_one_line(monkeypatch, tmp_path):
+    with_file(monkeypatch, measure_files, tmp_path, "max_over_3_ms", MAX_OVER_3_MS)
+    monkeypatch.setattr(
+        "certkit.definitions.measures.MEASURES",
+        MappingProxyType({**MEASURES, "max over 3 ms": MeasureKind()}),
+    )
+    asked = criterion(channel="T1").model_copy(update={"measure": "max over 3 ms"})
+    rec = recording({"T1": bump(250.0)})
+    found = measure(asked, Filtered(rec), EvaluationWindow(0.0, 0.2), NoInterval())
+    assert found.value == pytest.approx(250.0 * np.cos(np.pi * 0.0015 / 0.04) ** 2)
+    method_of.cache_clear()
