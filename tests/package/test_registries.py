@@ -72,7 +72,7 @@ class MaxOver3Ms(MeasureMethod):
 """
 
 
-def test_a_measure_is_one_file_and_one_line(monkeypatch, tmp_path):
+def test_a_measure_is_one_file_and_one_line(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
     with_file(monkeypatch, measure_files, tmp_path, "max_over_3_ms", MAX_OVER_3_MS)
     monkeypatch.setattr(
         "certkit.definitions.measures.MEASURES",
