@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from certkit.bench.verify import verify
     from certkit.studies.calibration.calibrate_legform import calibrate
     from certkit.studies.carry_out_study import study
+    from certkit.studies.propagate_uncertainty import uncertainty
 
 _FILES = {
     "calibrate": "certkit.studies.calibration.calibrate_legform",
@@ -37,6 +38,7 @@ _FILES = {
     "round_robin": "certkit.bench.round_robin",
     "run": "certkit.bench.run_simulation",
     "study": "certkit.studies.carry_out_study",
+    "uncertainty": "certkit.studies.propagate_uncertainty",
     "verify": "certkit.bench.verify",
 }
 
@@ -53,6 +55,7 @@ __all__ = [
     "round_robin",
     "run",
     "study",
+    "uncertainty",
     "verify",
 ]
 

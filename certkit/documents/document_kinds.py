@@ -24,6 +24,7 @@ DOCUMENTS = MappingProxyType(
         "optimum-report": "certkit.documents.optimum_report:OptimumReport",
         "calibration-report": "certkit.documents.calibration_report:CalibrationReport",
         "logbook-overview": "certkit.documents.logbook_overview:LegOverview",
+        "uncertainty-report": "certkit.documents.uncertainty_report:UncertaintyReport",
         "round-robin": "certkit.documents.round_robin_report:RoundRobinReport",
     }
 )

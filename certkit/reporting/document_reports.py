@@ -61,6 +61,7 @@ REPORTS = {
     "certkit-optimum/1": DocumentReport("certkit.reporting.study_pages:render_optimum"),
     "certkit-fit/1": DocumentReport("certkit.reporting.study_pages:render_calibration"),
     "certkit-logbook/1": DocumentReport("certkit.reporting.logbook_page:render_logbook"),
+    "certkit-uncertainty/1": DocumentReport("certkit.reporting.uncertainty_page:render_uncertainty"),
     "certkit-round-robin/1": DocumentReport("certkit.reporting.round_robin_page:render_round_robin"),
 }
 

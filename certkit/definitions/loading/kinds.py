@@ -133,6 +133,12 @@ _ALL = (
         "calibration:CalibrationTask",
         "models/fits",
     ),
+    Kind(
+        "budget",
+        "tolerances of a rig and of its sensors",
+        "uncertainty_budget:UncertaintyBudget",
+        "examples/uncertainty",
+    ),
     Kind("laboratory", "who tested what, when, with which sensors", "laboratory:Laboratory"),
     Kind("mapping", "how a laboratory's files become channels", "channel_mapping:Mapping"),
     Kind("logbook", "how long a certification is good for", "logbook_rules:LogbookRules"),

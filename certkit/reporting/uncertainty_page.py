@@ -1,0 +1,74 @@
+"""An uncertainty budget as a page and as text, from its document alone."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.files import write_whole
+from certkit.reporting import number_format as words
+from certkit.reporting.charts.uncertainty_shares import uncertainty_shares_chart
+from certkit.reporting.plaintext import aligned
+from certkit.reporting.static_page import static_page
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+    from pathlib import Path
+
+    from certkit.documents.uncertainty_report import CriterionUncertainty, UncertaintyReport
+
+
+def render_uncertainty(document: UncertaintyReport, out: Path, formats: Collection[str]) -> list[Path]:
+    """Write `uncertainty.html` when it is wanted.
+
+    Returns
+    -------
+    list of Path
+        What was written.
+    """
+    if "html" not in formats:
+        return []
+    path = out / "uncertainty.html"
+    write_whole(path, uncertainty_page(document))
+    return [path]
+
+
+def uncertainty_page(document: UncertaintyReport) -> str:
+    """Return the page."""
+    shown = [(each, advice(each)) for each in document.criteria]
+    chart = uncertainty_shares_chart(document)
+    return static_page("uncertainty.html.j2", document.title, doc=document, criteria=shown, chart=chart)
+
+
+def advice(each: CriterionUncertainty) -> str:
+    """Return what to do about a criterion's uncertainty; empty where nothing has to be done."""
+    if not each.tighten:
+        return ""
+    if each.tighten_to is None:
+        return f"more than {each.tighten} alone has to be tightened"
+    return f"tighten {each.tighten} to {words.fixed(100 * each.tighten_to, 0)} % of what it is"
+
+
+def uncertainty_text(document: UncertaintyReport) -> str:
+    """Return U, its largest source and what to do for a terminal."""
+    heads = ("criterion", "value", "U", "MC", "unit", "allowed", "largest source", "share", "")
+    rows = [
+        (
+            each.criterion,
+            words.shown(each.value, each.unit),
+            words.plain(each.expanded, 2),
+            words.plain(each.simulated, 2),
+            each.unit,
+            words.plain(each.allowed, 2),
+            each.lines[0].name if each.lines else "",
+            f"{words.fixed(100 * each.lines[0].share, 0)} %" if each.lines else "",
+            advice(each),
+        )
+        for each in document.criteria
+    ]
+    risk = words.plain(100 * document.risk, 3)
+    failed = f", {document.failed} failed" if document.failed else ""
+    return (
+        f"{document.title}\n\n{aligned(heads, rows, right=(1, 2, 3, 5, 7))}\n\n"
+        f"U: expanded uncertainty, k = 2. MC: the same from {document.runs} runs{failed}. allowed: largest U "
+        f"with which the model's value is falsely accepted with {risk} % at most."
+    )
