@@ -2,9 +2,8 @@
 
 A face is a line of points. Each point's place (x, z) is tabulated over its group's displacement (m), from
 finite elements; strips lie between the points and move with their group and on its outline. So the place
-where the leg presses wanders over a group, and from group to group, as the face folds. Force on a strip over
-depth and its rate, with what the flesh loses, as in `flesh_compression`, and friction μ·F·tanh(v/v₀) against
-the sliding speed v along the leg.
+where the leg presses wanders over a group, and from group to group, as the face folds. Force on a strip as in
+`face_contact`.
 
 What the outline's own change takes up, contact force times the strip's movement against its group, is counted
 as dissipated: it is work on the folding face.
@@ -20,11 +19,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
-from certkit.mechanics.force_laws.flesh_compression import elastic, friction_share
+from certkit.mechanics.force_laws.face_contact import press_strip, untilted_piece_at
 from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
-from certkit.mechanics.force_laws.leg_outline import surface_at, surface_velocity
 from certkit.mechanics.force_laws.recorded_path import on_path
-from certkit.mechanics.force_laws.vehicle_front_contact import STICK, untilted_piece_at
 
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
@@ -108,32 +105,27 @@ class FoldingFaceContact(ForceLaw):
                 piece = 0
                 continue
             piece = found
-            surface, by_z, by_angle = surface_at(now, piece, z, strip.thickness)
-            depth = surface - moved - x
-            if depth <= 0.0:
-                continue
-            body = now.outline[piece].body
-            closing = surface_velocity(now, body, by_z, by_angle) - now.velocity[strip.group].x
-            closing -= (shift + by_z * climb) / now.step
-            press, energy = elastic(depth, strip.compression, strip.layer, strip.compacted_at, strip.wall)
-            friction = height * press * friction_share(closing, strip.loss)
-            force = height * press + friction
-            totals.stored += height * energy
-            totals.power += friction * closing
-            totals.force += force
-            totals.flesh_depth = max(totals.flesh_depth, depth / strip.layer)
-            if before > 0.0:
-                totals.dissipated += 0.5 * (before + force) * (shift + by_z * climb) - energy * growth
-            on_leg = load[body]
-            on_leg.x -= force
-            on_leg.z -= force * by_z
-            on_leg.torque -= force * by_angle
+            depth, force, by_height, energy = press_strip(
+                now,
+                load,
+                totals,
+                piece,
+                moved + x,
+                z,
+                now.velocity[strip.group].x + shift / now.step,
+                climb / now.step,
+                height,
+                strip.compression,
+                strip.layer,
+                strip.compacted_at,
+                strip.wall,
+                strip.loss,
+                strip.thickness,
+                strip.friction,
+            )
+            if before > 0.0 and force > 0.0:
+                totals.dissipated += 0.5 * (before + force) * (shift - by_height * climb)
+                totals.dissipated -= energy / height * growth if height > 0.0 else 0.0
             load[strip.group].x += force
-            arm = surface - now.pose[body].x
-            slip = now.velocity[body].z + now.velocity[body].angular * arm
-            rub = strip.friction * force * math.tanh(slip / STICK)
-            on_leg.z -= rub
-            on_leg.torque -= rub * arm
-            totals.power += rub * slip
             strip.depth = depth
             strip.force = force
