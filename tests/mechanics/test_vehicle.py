@@ -276,6 +276,10 @@ def test_a_late_second_contact_with_a_group_far_behind_keeps_its_energy() -> Non
 # --- directions: three-point bending of the leg between lower stiffener, bumper and hood --------------------
 
 
+def test_a_leg_with_an_edge_at_its_knee_keeps_its_energy_along_faces_that_fold() -> None:
+    assert hit("fe-front").quality.energy_error_percent < 0.15
+
+
 def scaled(vehicle: str, spring: str, factor: float) -> str:
     points = load("vehicle", vehicle).document.springs[spring].loading
     text = ", ".join(f"[{1e3 * x:g} mm, {factor * f:g} N]" for x, f in points)
