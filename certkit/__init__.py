@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from certkit._version import __version__
 
 if TYPE_CHECKING:
+    from certkit.bench.assess_campaign import campaign
     from certkit.bench.compare import compare
     from certkit.bench.export import export
     from certkit.bench.extract_vehicle import extract
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
 _FILES = {
     "calibrate": "certkit.studies.calibration.calibrate_legform",
+    "campaign": "certkit.bench.assess_campaign",
     "compare": "certkit.bench.compare",
     "export": "certkit.bench.export",
     "extract": "certkit.bench.extract_vehicle",
@@ -45,6 +47,7 @@ _FILES = {
 __all__ = [
     "__version__",
     "calibrate",
+    "campaign",
     "compare",
     "export",
     "extract",

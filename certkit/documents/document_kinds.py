@@ -23,6 +23,7 @@ DOCUMENTS = MappingProxyType(
         "study-report": "certkit.documents.study_report:StudyReport",
         "optimum-report": "certkit.documents.optimum_report:OptimumReport",
         "calibration-report": "certkit.documents.calibration_report:CalibrationReport",
+        "campaign-report": "certkit.documents.campaign_report:CampaignReport",
         "logbook-overview": "certkit.documents.logbook_overview:LegOverview",
         "uncertainty-report": "certkit.documents.uncertainty_report:UncertaintyReport",
         "round-robin": "certkit.documents.round_robin_report:RoundRobinReport",

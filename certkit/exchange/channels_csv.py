@@ -33,6 +33,7 @@ from certkit.documents.rounding import SIGNIFICANT_DIGITS
 from certkit.errors import DataError
 from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.conditions import Told, known_word, read_condition, together
+from certkit.exchange.csv_cells import harmless
 from certkit.files import write_whole
 from certkit.reasons import Reason
 from certkit.signals.recording import Kind
@@ -54,7 +55,6 @@ DIGITS = 9
 """Significant digits of a recording; a result's channels have those of its document."""
 
 _HEAD = re.compile(r"(.+?)\s*[\[(]([^\])]*)[\])]")
-_FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ def csv_text(recording: Recording, *, procedure: str = "", result_id: str = "", 
     remarks += [(f"filter {channel.name}", channel.filtered) for channel in channels]
     head = "".join(f"# {_plain(word)}: {_plain(said)}\n" for word, said in remarks if said)
     names = io.StringIO()
-    cells = ["time [s]", *(_safe(f"{each.name} [{each.dimension.unit}]") for each in channels)]
+    cells = ["time [s]", *(harmless(f"{each.name} [{each.dimension.unit}]") for each in channels)]
     csv.writer(names, lineterminator="\n").writerow(cells)
     # Steps are added up from the first sample: without rounding, zero would be 1e-18.
     columns = [np.round(recording.time, 12), *(each.values * each.dimension.scale for each in channels)]
@@ -219,9 +219,3 @@ def told_filter(table: CsvTable, name: str) -> Filter | None:
 def _plain(text: str) -> str:
     """Keep a remark in one line and one cell, whatever separates cells where it is opened."""
     return re.sub(r"[\s,;]+", " ", text).strip()
-
-
-def _safe(head: str) -> str:
-    """Put an apostrophe before a head that would be taken for a formula, and keep it in one line."""
-    head = re.sub(r"[\r\n\t]+", " ", head)
-    return f"'{head}" if head.lstrip().startswith(_FORMULA) else head

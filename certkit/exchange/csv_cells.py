@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 import csv
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
+from certkit.plain_text import without_odd_characters
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+
+FORMULA = ("=", "+", "-", "@")
+"""Signs that a spreadsheet takes for the begin of a formula."""
+
+
+def harmless(text: str) -> str:
+    """Return a cell in one line that no spreadsheet runs: one like a formula gets an apostrophe before it."""
+    line = re.sub(r"[\r\n\t]+", " ", without_odd_characters(text))
+    return f"'{line}" if line.lstrip().startswith(FORMULA) else line
 
 
 @dataclass(frozen=True)

@@ -57,6 +57,9 @@ REPORTS = {
     "certkit-extraction/1": DocumentReport(
         "certkit.reporting.extraction_report:render_extraction", _PAPER, _PAPER
     ),
+    "certkit-campaign/1": DocumentReport(
+        "certkit.reporting.campaign_files:render_campaign", ("html", "csv", "junit")
+    ),
     "certkit-study/1": DocumentReport("certkit.reporting.study_pages:render_study"),
     "certkit-optimum/1": DocumentReport("certkit.reporting.study_pages:render_optimum"),
     "certkit-fit/1": DocumentReport("certkit.reporting.study_pages:render_calibration"),

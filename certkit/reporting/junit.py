@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from xml.etree import ElementTree as ET
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from certkit.documents.result import Result, Verdict
     from certkit.reporting.criterion_row import Row
@@ -33,6 +33,11 @@ def junit(views: Sequence[View]) -> bytes:
     root = ET.Element("testsuites", name="certkit")
     for view in views:
         root.append(_suite(view))
+    return xml_bytes(root)
+
+
+def xml_bytes(root: ET.Element) -> bytes:
+    """Return the file of several suites, with their counts summed up."""
     for count in ("tests", "failures", "errors", "skipped"):
         root.set(count, str(sum(int(suite.get(count, "0")) for suite in root)))
     ET.indent(root, " ")
@@ -40,10 +45,18 @@ def junit(views: Sequence[View]) -> bytes:
     return xml + b"\n"
 
 
+def fill_counts(suite: ET.Element) -> None:
+    """Count a suite's cases by their outcome."""
+    kinds = {"failures": "failure", "errors": "error", "skipped": "skipped"}
+    suite.set("tests", str(len(suite.findall("testcase"))))
+    for count, kind in kinds.items():
+        suite.set(count, str(len(suite.findall(f"testcase/{kind}"))))
+
+
 def _suite(view: View) -> ET.Element:
     result = view.result
     suite = ET.Element("testsuite", name=f"certkit.{result.procedure}")
-    _properties(
+    properties(
         suite,
         {
             "certificate": result.id,
@@ -57,26 +70,23 @@ def _suite(view: View) -> ET.Element:
         _criterion(suite, result, row)
     for condition in result.preconditions:
         case = _case(suite, result, f"precondition: {condition.quantity}")
-        _properties(case, {"value": condition.value, "unit": condition.unit})
-        _properties(case, {"lower": condition.lower, "upper": condition.upper})
-        _outcome(case, condition.verdict, condition.reason or f"{condition.quantity}: {condition.verdict}")
+        properties(case, {"value": condition.value, "unit": condition.unit})
+        properties(case, {"lower": condition.lower, "upper": condition.upper})
+        outcome(case, condition.verdict, condition.reason or f"{condition.quantity}: {condition.verdict}")
     for check in result.quality.checks if result.quality else []:
         case = _case(suite, result, f"quality: {check.title}")
-        _properties(case, {"value": check.value, "unit": check.unit, "upper": check.limit})
-        _outcome(case, check.verdict, f"{check.title} {check.value:g} {check.unit}, limit {check.limit:g}")
+        properties(case, {"value": check.value, "unit": check.unit, "upper": check.limit})
+        outcome(case, check.verdict, f"{check.title} {check.value:g} {check.unit}, limit {check.limit:g}")
     case = _case(suite, result, "verdict")
-    _outcome(case, result.verdict, " ".join([f"{result.title}: {result.verdict}.", *result.remarks]))
-    kinds = {"failures": "failure", "errors": "error", "skipped": "skipped"}
-    suite.set("tests", str(len(suite.findall("testcase"))))
-    for count, kind in kinds.items():
-        suite.set(count, str(len(suite.findall(f"testcase/{kind}"))))
+    outcome(case, result.verdict, " ".join([f"{result.title}: {result.verdict}.", *result.remarks]))
+    fill_counts(suite)
     return suite
 
 
 def _criterion(suite: ET.Element, result: Result, row: Row) -> None:
     criterion = row.criterion
     case = _case(suite, result, criterion.id)
-    _properties(
+    properties(
         case,
         {
             "title": criterion.title,
@@ -91,7 +101,7 @@ def _criterion(suite: ET.Element, result: Result, row: Row) -> None:
         },
     )
     if criterion.graded:
-        _outcome(case, criterion.verdict, row.outcome)
+        outcome(case, criterion.verdict, row.outcome)
     else:
         ET.SubElement(case, "skipped", message=criterion.reason or "informative: no corridor is known")
 
@@ -100,7 +110,8 @@ def _case(suite: ET.Element, result: Result, name: str) -> ET.Element:
     return ET.SubElement(suite, "testcase", classname=f"certkit.{result.procedure}", name=name)
 
 
-def _properties(parent: ET.Element, values: dict[str, str | float | None]) -> None:
+def properties(parent: ET.Element, values: Mapping[str, str | float | None]) -> None:
+    """Add named values to a suite or case; those without a value are left out."""
     holder = parent.find("properties")
     if holder is None:
         holder = ET.SubElement(parent, "properties")
@@ -110,7 +121,8 @@ def _properties(parent: ET.Element, values: dict[str, str | float | None]) -> No
             ET.SubElement(holder, "property", name=name, value=_clean(text))
 
 
-def _outcome(case: ET.Element, verdict: Verdict, words: str) -> None:
+def outcome(case: ET.Element, verdict: Verdict, words: str) -> None:
+    """Say how a case ended, by the table above."""
     if verdict in {"fail", "conditional"}:
         ET.SubElement(case, "failure", message=_clean(words), type=verdict)
     elif verdict in {"error", "not evaluated"}:

@@ -11,7 +11,13 @@ from certkit.reporting.html_report import page_style
 from certkit.reporting.templating import fill
 
 
-def static_page(template: str, title: str, **values: Any) -> str:  # noqa: ANN401  # templates take anything
+def static_page(
+    template: str,
+    title: str,
+    *,
+    more_style: str = "",
+    **values: Any,  # noqa: ANN401  # templates take anything
+) -> str:
     """Fill a template that extends `static-page.html.j2`.
 
     Parameters
@@ -20,10 +26,12 @@ def static_page(template: str, title: str, **values: Any) -> str:  # noqa: ANN40
         Its name.
     title : str
         Title of the page.
+    more_style : str
+        Rules beside the style of all pages.
     values : object
         What the template shows; escaped, except drawings that it marks as our own.
     """
-    style = page_style()
+    style = page_style() + more_style
     digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
     policy = (
         f"default-src 'none'; style-src 'sha256-{digest}'; font-src data:; img-src data:; "

@@ -1,0 +1,194 @@
+"""One source of an impact point's values: a measured test, a run, a simulation made here, or named values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from hashlib import sha256
+from typing import TYPE_CHECKING
+
+from certkit.bench.grade_measurement import grade
+from certkit.bench.regrade import embedded_shelf
+from certkit.bench.run_simulation import run
+from certkit.definitions.loading.channel_tables import legform_channels
+from certkit.definitions.units import UNITS, dimensions, parse_quantity
+from certkit.documents.campaign_report import PointValue, SourceReport
+from certkit.documents.result import InputFile, Result
+from certkit.documents.unverified import trusted
+from certkit.documents.verdicts import worst
+from certkit.errors import DataError, DefinitionError, InputError, RunError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from certkit.definitions.campaign import Campaign, PointSource
+    from certkit.definitions.loading.library import Library
+    from certkit.documents.result import CriterionResult
+
+
+@dataclass(frozen=True)
+class CampaignFiles:
+    """Where a campaign's paths lead.
+
+    Parameters
+    ----------
+    campaign : Campaign
+    folder : Path
+        Of its file.
+    library : Library
+        Folders with own definitions, the campaign's own among them.
+    impactor : str
+        That its schemes are for.
+    unverified : bool
+        Whether changed results are taken.
+    """
+
+    campaign: Campaign
+    folder: Path
+    library: Library
+    impactor: str
+    unverified: bool = False
+
+
+@dataclass(frozen=True)
+class LoadedSource:
+    """A source with the result it stands on, if any, and the file that was read."""
+
+    report: SourceReport
+    result: Result | None = None
+    input: InputFile | None = None
+
+
+def load_point_source(source: PointSource, files: CampaignFiles, point: str) -> LoadedSource:
+    """Read, grade or simulate one source of a point.
+
+    A simulation that does not finish makes the source unusable; it does not take the other points with it.
+
+    Raises
+    ------
+    InputError
+        When a file or definition cannot be used: names the point.
+    """
+    if source.predicted is not None:
+        values = [_predicted(name, text) for name, text in source.predicted.items()]
+        return LoadedSource(SourceReport(kind="predicted", label=source.by or "the maker", values=values))
+    try:
+        if source.lumped is not None:
+            return _lumped(source, files)
+        return _from_file(source, files)
+    except DefinitionError:
+        raise  # each of its problems says its own place
+    except InputError as error:
+        raise DataError(f"point {point}: {error}") from error
+
+
+def _lumped(source: PointSource, files: CampaignFiles) -> LoadedSource:
+    procedure = source.lumped or ""
+    label = source.by or procedure
+    changes = {path: str(value) for path, value in source.set.items()}
+    try:
+        result = run(_named(procedure, files), library=files.library, overrides=changes)
+    except RunError as error:
+        told = f"the simulation did not finish: {error}"
+        return LoadedSource(
+            SourceReport(
+                kind="lumped", label=label, verdict="error", usable=False, reason=told, changes=changes
+            )
+        )
+    return _of_result(source, result, label, files, changes=changes)
+
+
+def _from_file(source: PointSource, files: CampaignFiles) -> LoadedSource:
+    path = files.folder / (source.file or "")
+    document = path / "result.json" if path.is_dir() else path
+    if document.suffix.lower() == ".json" and document.is_file():
+        result = trusted(Result.read(document), str(document), unverified=files.unverified)
+    else:
+        result = grade(
+            _named(source.procedure or files.campaign.procedure, files),
+            path,
+            laboratory=None if source.laboratory is None else files.folder / source.laboratory,
+            mapping=None if source.mapping is None else files.folder / source.mapping,
+            library=files.library,
+        )
+        document = path
+    measured = result.kind == "test evaluation"
+    if measured != (source.measured is not None):
+        said = "finite elements" if measured else "measured"
+        raise DataError(f"{path}: holds a {result.kind}, and stands under `{said}` in the campaign; move it")
+    digest = sha256(document.read_bytes()).hexdigest() if document.is_file() else ""
+    read = InputFile(role="result", path=source.file or "", sha256=digest) if digest else None
+    return _of_result(source, result, source.by or source.file or "", files, read=read)
+
+
+def _named(name: str, files: CampaignFiles) -> str | Path:
+    """Return a procedure's name, or its path from the campaign's folder."""
+    return files.folder / name if name.endswith((".yaml", ".yml")) else name
+
+
+def _of_result(
+    source: PointSource,
+    result: Result,
+    label: str,
+    files: CampaignFiles,
+    *,
+    changes: dict[str, str] | None = None,
+    read: InputFile | None = None,
+) -> LoadedSource:
+    reason = _unusable(result) or _other_impactor(result, files)
+    report = SourceReport(
+        kind=source.kind,
+        label=label,
+        verdict=result.verdict,
+        values=[_value(criterion) for criterion in result.criteria],
+        usable=not reason,
+        reason=reason,
+        certificate=result.id,
+        changes=changes or {},
+    )
+    return LoadedSource(report, result, read)
+
+
+def _unusable(result: Result) -> str:
+    """Say why a test or run does not count as a whole: its conditions, or the trust in it."""
+    criteria = worst(criterion.verdict for criterion in result.criteria if criterion.graded)
+    if result.verdict != "error" and (result.verdict != "not evaluated" or criteria == "not evaluated"):
+        return ""
+    found = [
+        f"{row.quantity}: {row.reason or row.verdict}"
+        for row in result.preconditions
+        if row.verdict == "fail" or (row.required and row.verdict != "pass")
+    ]
+    checks = result.quality.checks if result.quality else []
+    found += [f"{check.title} beyond its limit" for check in checks if check.verdict != "pass"]
+    return "; ".join(found or result.remarks[:1]) or f"the result is `{result.verdict}`"
+
+
+def _other_impactor(result: Result, files: CampaignFiles) -> str:
+    shelf = embedded_shelf(result)
+    carried = [name for kind, name in shelf.texts if kind == "legform"]
+    if not carried:
+        return ""
+    impactor = legform_channels(carried[0], (shelf,)).impactor
+    return (
+        "" if impactor == files.impactor else f"of the {impactor}; the schemes are for the {files.impactor}"
+    )
+
+
+def _value(criterion: CriterionResult) -> PointValue:
+    lost = criterion.graded and criterion.verdict in {"not evaluated", "error"}
+    return PointValue(
+        id=criterion.id,
+        title=criterion.title,
+        value=None if lost else criterion.value,
+        unit=criterion.unit,
+        guard=criterion.uncertainty.guard_band if criterion.uncertainty else None,
+        reason=(criterion.reason or criterion.verdict) if lost else "",
+    )
+
+
+def _predicted(name: str, text: str) -> PointValue:
+    """Return a named value in the unit that the field shows such a quantity in."""
+    dimension = dimensions(text)[0]
+    shown = {"moment": "N·m", "length": "mm", "angle": "deg", "force": "N"}
+    unit = shown.get(dimension, next(iter(UNITS[dimension])))
+    return PointValue(id=name, value=parse_quantity(text, dimension) / UNITS[dimension][unit], unit=unit)

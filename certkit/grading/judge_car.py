@@ -1,0 +1,125 @@
+"""A whole car under one scheme: points without values, total, worst point, verdict."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.documents.campaign_report import JudgedScheme
+from certkit.documents.verdicts import worst
+from certkit.grading.judge_point import judge_point, nothing_known
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from certkit.documents.campaign_report import JudgedPoint, PointReport
+    from certkit.documents.result import Verdict
+    from certkit.grading.scheme_terms import SchemeTerms
+
+SAME_PLACE = 0.5
+"""mm within which a point on the other side mirrors one."""
+
+
+def judge_car(terms: SchemeTerms, points: Sequence[PointReport], *, symmetric: bool) -> JudgedScheme:
+    """Judge every point, let others stand for those without values where the scheme has a rule, and add up.
+
+    The total is the scheme's points times the mean share of all points, in which a missing one earns nothing.
+    """
+    judged = _filled(terms, points, symmetric=symmetric)
+    decisive = max(judged, key=_badness)
+    total, share = None, None
+    if terms.kind == "points" and terms.scheme.total is not None:
+        share = sum((row.points or 0.0) / (row.maximum or 1.0) for row in judged) / len(judged)
+        total = terms.scheme.total.points * share
+    origins = terms.origins()
+    return JudgedScheme(
+        scheme=terms.scheme.scheme,
+        title=terms.title,
+        kind=terms.kind,
+        verdict=_verdict(terms, judged, total),
+        points=judged,
+        worst_point=decisive.point if decisive.basis != "none" else "",
+        total=total,
+        maximum=terms.scheme.total.points if terms.scheme.total else None,
+        percent=None if share is None else 100.0 * share,
+        at_least=terms.at_least,
+        sources=list(dict.fromkeys(source for source, _ in origins)),
+        confidences=list(dict.fromkeys(confidence for _, confidence in origins)),
+        remarks=[*_remarks(judged), *terms.scheme.notes],
+    )
+
+
+def _filled(terms: SchemeTerms, points: Sequence[PointReport], *, symmetric: bool) -> list[JudgedPoint]:
+    own = {point.name: judge_point(terms, point) for point in points}
+    rule = terms.scheme.untested
+    known: dict[str, JudgedPoint] = {name: row for name, row in own.items() if row is not None}
+    if rule is not None and rule.mirrored and symmetric:
+        for point in points:
+            other = next((p for p in points if abs(p.across + point.across) <= SAME_PLACE), None)
+            found = own[other.name] if other is not None else None
+            if point.name not in known and other is not None and found is not None:
+                change = {"point": point.name, "basis": "mirrored", "of": other.name}
+                known[point.name] = found.model_copy(update=change)
+    if rule is not None and rule.neighbours == "worst":
+        known |= _from_neighbours(points, dict(known))
+    reason = "no source, and the scheme has no rule by which another point stands for it"
+    return [known.get(p.name) or nothing_known(terms, p.name, reason) for p in points]
+
+
+def _from_neighbours(points: Sequence[PointReport], known: dict[str, JudgedPoint]) -> dict[str, JudgedPoint]:
+    """Let the worse of the nearest points on both sides stand for each point without a judgement."""
+    found = {}
+    for point in points:
+        if point.name in known:
+            continue
+        left = [p for p in points if p.across < point.across and p.name in known]
+        right = [p for p in points if p.across > point.across and p.name in known]
+        beside = [max(left, key=lambda p: p.across)] if left else []
+        beside += [min(right, key=lambda p: p.across)] if right else []
+        if beside:
+            decisive = max((known[p.name] for p in beside), key=_badness)
+            change = {"point": point.name, "basis": "neighbour", "of": decisive.point}
+            found[point.name] = decisive.model_copy(update=change)
+    return found
+
+
+_ORDER: dict[Verdict | None, int] = {"error": 4, "fail": 3, "conditional": 2, "pass": 1}
+
+
+def _badness(row: JudgedPoint) -> tuple[float, float]:
+    """Rank a judged point: what was judged before what was not, then the worse before the better."""
+    if row.maximum:
+        lost = 1.0 - (row.points or 0.0) / row.maximum
+        return (-1.0 if row.basis == "none" else lost, row.percent or 0.0)
+    return (float(_ORDER.get(row.verdict, 0)), row.percent or 0.0)
+
+
+def _verdict(terms: SchemeTerms, judged: Sequence[JudgedPoint], total: float | None) -> Verdict | None:
+    if terms.kind != "points":
+        return worst(row.verdict or "not evaluated" for row in judged)
+    if terms.at_least is None or total is None or terms.scheme.total is None:
+        return None
+    if total >= terms.at_least:
+        return "pass"
+    missing = sum(row.basis == "none" or not row.criteria for row in judged)
+    possible = total + terms.scheme.total.points * missing / len(judged)
+    return "not evaluated" if missing and possible >= terms.at_least else "fail"
+
+
+def _remarks(judged: Sequence[JudgedPoint]) -> list[str]:
+    """Say what the judgement rests on beside measured values."""
+    said = []
+    for kind in ("finite elements", "lumped", "predicted"):
+        names = [row.point for row in judged if row.source == kind and row.basis == "own"]
+        if names:
+            word = {"finite elements": "a finite-element run", "lumped": "a lumped simulation"}.get(
+                kind, "a prediction"
+            )
+            said.append(f"rests on {word} at {', '.join(names)}")
+    for basis, word in (("mirrored", "the other side"), ("neighbour", "the worse neighbour")):
+        names = [f"{row.point} (of {row.of})" for row in judged if row.basis == basis]
+        if names:
+            said.append(f"{word} stands for {', '.join(names)}")
+    names = [row.point for row in judged if row.basis == "none"]
+    if names:
+        said.append(f"nothing is known of {', '.join(names)}")
+    return said
