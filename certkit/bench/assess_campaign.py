@@ -137,7 +137,7 @@ def _terms(sheet: Campaign, library: Library) -> tuple[list[SchemeTerms], list[L
     terms = []
     for name in sheet.schemes:
         terms.append(_scheme(name, library, used, at_least=sheet.at_least.get(name)))
-        if name in sheet.at_least and terms[-1].scheme.total is None:
+        if name in sheet.at_least and not terms[-1].car_points:
             raise UsageError(f"`at least`: the scheme {name} has no rule for a total; leave it out")
     if sheet.targets is not None:
         target = sheet.targets

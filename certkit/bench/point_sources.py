@@ -188,7 +188,7 @@ def _value(criterion: CriterionResult) -> PointValue:
 
 def _predicted(name: str, text: str) -> PointValue:
     """Return a named value in the unit that the field shows such a quantity in."""
-    dimension = dimensions(text)[0]
+    dimension = next(each for each in dimensions(text) if each not in {"ratio", "count"})
     shown = {"moment": "N·m", "length": "mm", "angle": "deg", "force": "N"}
     unit = shown.get(dimension, next(iter(UNITS[dimension])))
     return PointValue(id=name, value=parse_quantity(text, dimension) / UNITS[dimension][unit], unit=unit)

@@ -183,7 +183,9 @@ def _refuse_another(
             raise AnotherResultError(f"{named}: holds {pages[0].name} of another result; {FORCE}")
         return
     said = ", ".join(
-        str(old[key]) for key in ("procedure", "study", "fit", "case", "verdict", "id") if old.get(key)
+        str(old[key])
+        for key in ("procedure", "study", "fit", "case", "campaign", "verdict", "id")
+        if old.get(key)
     )
     raise AnotherResultError(f"{named}: holds another {document.noun} ({said[:200]}); {FORCE}")
 
@@ -259,6 +261,8 @@ def _files_of(document: OutputDocument, old: Mapping[str, Any], folder: Path) ->
         from certkit.reporting.writing import FORMATS  # noqa: PLC0415  # only where there is an old result
 
         names |= {str(import_module(module).FILE) for module in FORMATS.values()}
+    if stem == "campaign":
+        names |= {"campaign.csv", "campaign.xlsx", "campaign.pptx", "junit.xml"}
     if stem == "extraction":
         names.add("vehicle.yaml")
     if stem in {"study", "optimum"}:

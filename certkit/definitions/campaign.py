@@ -59,7 +59,7 @@ class PointSource(Document):
         faults: list[Fault] = [
             (("predicted", name), f"`{text}` is not a number with a unit that certkit knows")
             for name, text in (self.predicted or {}).items()
-            if not dimensions(text)
+            if not set(dimensions(text)) - {"ratio", "count"}
         ]
         if self.set and self.lumped is None:
             faults.append((("set",), "only a `lumped` source is simulated, so that values can be changed"))

@@ -82,6 +82,7 @@ class JudgedPoint(Part):
     verdict: Annotated[Verdict | None, Field(description="None where points are given.")] = None
     points: Figure | None = None
     maximum: Figure | None = None
+    shares: Annotated[dict[str, Figure], Field(description="Share of each score, from 0 to 1.")] = {}
     reason: Annotated[str, Field(description="Why it is not evaluated, or earns nothing.")] = ""
 
 

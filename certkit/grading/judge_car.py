@@ -22,25 +22,29 @@ SAME_PLACE = 0.5
 def judge_car(terms: SchemeTerms, points: Sequence[PointReport], *, symmetric: bool) -> JudgedScheme:
     """Judge every point, let others stand for those without values where the scheme has a rule, and add up.
 
-    The total is the scheme's points times the mean share of all points, in which a missing one earns nothing.
+    The total is, summed over the scores, the car's points for a score times the mean share of all impact
+    points, in which one without a value earns nothing.
     """
     judged = _filled(terms, points, symmetric=symmetric)
     decisive = max(judged, key=_badness)
-    total, share = None, None
-    if terms.kind == "points" and terms.scheme.total is not None:
-        share = sum((row.points or 0.0) / (row.maximum or 1.0) for row in judged) / len(judged)
-        total = terms.scheme.total.points * share
+    total, maximum = None, None
+    if terms.kind == "points" and terms.car_points:
+        mean = {
+            name: sum(row.shares.get(name, 0.0) for row in judged) / len(judged) for name in terms.car_points
+        }
+        maximum = sum(terms.car_points.values())
+        total = sum(points * mean[name] for name, points in terms.car_points.items())
     origins = terms.origins()
     return JudgedScheme(
         scheme=terms.scheme.scheme,
         title=terms.title,
         kind=terms.kind,
-        verdict=_verdict(terms, judged, total),
+        verdict=_verdict(terms, judged, total, maximum),
         points=judged,
         worst_point=decisive.point if decisive.basis != "none" else "",
         total=total,
-        maximum=terms.scheme.total.points if terms.scheme.total else None,
-        percent=None if share is None else 100.0 * share,
+        maximum=maximum,
+        percent=None if total is None or not maximum else 100.0 * total / maximum,
         at_least=terms.at_least,
         sources=list(dict.fromkeys(source for source, _ in origins)),
         confidences=list(dict.fromkeys(confidence for _, confidence in origins)),
@@ -93,15 +97,17 @@ def _badness(row: JudgedPoint) -> tuple[float, float]:
     return (float(_ORDER.get(row.verdict, 0)), row.percent or 0.0)
 
 
-def _verdict(terms: SchemeTerms, judged: Sequence[JudgedPoint], total: float | None) -> Verdict | None:
+def _verdict(
+    terms: SchemeTerms, judged: Sequence[JudgedPoint], total: float | None, maximum: float | None
+) -> Verdict | None:
     if terms.kind != "points":
         return worst(row.verdict or "not evaluated" for row in judged)
-    if terms.at_least is None or total is None or terms.scheme.total is None:
+    if terms.at_least is None or total is None or maximum is None:
         return None
     if total >= terms.at_least:
         return "pass"
     missing = sum(row.basis == "none" or not row.criteria for row in judged)
-    possible = total + terms.scheme.total.points * missing / len(judged)
+    possible = total + maximum * missing / len(judged)
     return "not evaluated" if missing and possible >= terms.at_least else "fail"
 
 

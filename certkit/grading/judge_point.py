@@ -8,7 +8,7 @@ from certkit.documents.campaign_report import JudgedCriterion, JudgedPoint
 from certkit.documents.result import CriterionResult
 from certkit.documents.verdicts import worst
 from certkit.grading.scheme_terms import in_unit
-from certkit.grading.scores import grade_scores, points
+from certkit.grading.scores import grade_scores
 
 if TYPE_CHECKING:
     from certkit.documents.campaign_report import PointReport, PointValue, SourceReport
@@ -63,7 +63,7 @@ def _by_limits(
             continue
         limit = terms.limit(name, value.unit, relaxed=point.relaxed)
         verdict: Verdict = "pass"
-        if value.value > limit:
+        if not terms.keeps(name, value.value, value.unit, relaxed=point.relaxed):
             verdict = "fail"
         elif value.guard is not None and value.value > limit - value.guard:
             verdict = "conditional"
@@ -98,7 +98,7 @@ def _by_scores(
         if each.value is not None
     }
     given, missing = grade_scores(terms.corridors.scores, usable)
-    rows = _score_rows(terms, values)
+    rows = _score_rows(terms, values, usable)
     decisive = min(given, key=lambda score: score.points / score.maximum, default=None)
     shown = next((row for row in rows if decisive is not None and row.id == decisive.criterion), None)
     return JudgedPoint(
@@ -110,6 +110,7 @@ def _by_scores(
         percent=shown.percent if shown else None,
         points=sum(score.points for score in given),
         maximum=_maximum(terms),
+        shares={score.id: score.points / score.maximum for score in given},
         reason="; ".join(_unearned(reason) for reason in missing),
     )
 
@@ -122,26 +123,29 @@ def _unearned(reason: Reason) -> str:
     )
 
 
-def _score_rows(terms: SchemeTerms, values: dict[str, PointValue]) -> list[JudgedCriterion]:
+def _score_rows(
+    terms: SchemeTerms, values: dict[str, PointValue], usable: dict[str, CriterionResult]
+) -> list[JudgedCriterion]:
     """Return each criterion with the share that it would earn alone."""
     rows: dict[str, JudgedCriterion] = {}
-    for score in terms.corridors.scores.values():
-        scales = [(name, score.full, score.zero) for name in score.criteria]
+    for name, score in terms.corridors.scores.items():
+        scales = [(each, scale.full, scale.zero) for scale in score.scales for each in scale.criteria]
         if score.forfeit is not None:
-            scales += [(name, score.forfeit.at, score.forfeit.at) for name in score.forfeit.criteria]
-        for name, full, zero in scales:
-            each = values.get(name)
-            if each is None or each.value is None or name in rows:
+            scales += [(each, score.forfeit.at, score.forfeit.at) for each in score.forfeit.criteria]
+        for each, full, zero in scales:
+            if each not in usable or each in rows:
                 continue
-            low, high = in_unit(full, each.unit, name), in_unit(zero, each.unit, name)
-            rows[name] = JudgedCriterion(
-                id=name,
-                unit=each.unit,
-                value=each.value,
-                limit=high,
-                full=low,
-                percent=100.0 * each.value / high,
-                share=points(each.value, low, high, 1.0),
+            change = {"criteria": [each], "full": full, "zero": zero, "also": [], "forfeit": None}
+            (alone,), _ = grade_scores({name: score.model_copy(update=change)}, usable)
+            value, unit = usable[each].value or 0.0, values[each].unit
+            rows[each] = JudgedCriterion(
+                id=each,
+                unit=unit,
+                value=value,
+                limit=in_unit(zero, unit, each),
+                full=in_unit(full, unit, each),
+                percent=100.0 * value / in_unit(zero, unit, each),
+                share=alone.points / alone.maximum,
             )
     return list(rows.values())
 

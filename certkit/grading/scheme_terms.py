@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 from certkit.definitions.units import UNITS, dimensions, parse_quantity
 from certkit.errors import UsageError
+from certkit.grading.half_up import half_up
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -61,11 +62,24 @@ class SchemeTerms:
         """Ids of all criteria that it looks at, in its order."""
         if self.scheme.limits is not None:
             return list(self.scheme.limits)
-        found: dict[str, None] = {}
-        for score in self.corridors.scores.values():
-            found |= dict.fromkeys(score.criteria)
-            found |= dict.fromkeys(score.forfeit.criteria if score.forfeit else ())
-        return list(found)
+        return list(dict.fromkeys(name for score in self.corridors.scores.values() for name in score.needs))
+
+    @property
+    def car_points(self) -> dict[str, float]:
+        """Points of the whole car for each score: times the mean share; empty without a rule."""
+        scores = self.corridors.scores
+        if self.scheme.total is not None:
+            shared = self.scheme.total.points / sum(score.points for score in scores.values())
+            return {name: shared * score.points for name, score in scores.items()}
+        known = {name: score.car_points for name, score in scores.items() if score.car_points is not None}
+        return known if len(known) == len(scores) else {}
+
+    def keeps(self, criterion: str, value: float, unit: str, *, relaxed: bool) -> bool:
+        """Tell whether a value keeps its limit, rounded and with the limit itself as its window says."""
+        window = self._window(criterion, relaxed=relaxed)
+        limit = self.limit(criterion, unit, relaxed=relaxed)
+        rounded = value if window.decimals is None else half_up(value, window.decimals)
+        return rounded < limit or (rounded == limit and not window.exclusive)
 
     def limit(self, criterion: str, unit: str, *, relaxed: bool) -> float:
         """Return the upper limit of a criterion in a unit; the relaxed one where there is one.

@@ -46,5 +46,9 @@ def profile(view: CampaignView) -> Drawing | None:
     if not lines:
         return None
     return lines_chart(
-        lines, f"Share of the limit of {short_name(view.first)}; 100 % is the limit", "mm from the middle", "%", width=900
+        lines,
+        f"Share of the limit of {short_name(view.first)}; 100 % is the limit",
+        "mm from the middle",
+        "%",
+        width=900,
     )

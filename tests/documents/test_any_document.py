@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pandas as pd
 import pytest
-from support import synthetic_result
+from support import synthetic_campaign, synthetic_result
 from typer.testing import CliRunner
 
 from certkit.cli import app
@@ -141,6 +141,7 @@ DOCUMENTED: dict[str, OutputDocument] = {
         correlations=[StrongCorrelation(between=("a", "b"), coefficient=-0.7)],
         open_directions=[OpenDirection(spread=0.9, parts={"a": 1.0})],
     ).with_id(),
+    "campaign-report": synthetic_campaign.campaign(),
     "logbook-overview": LegOverview(
         serial="FLX/7",
         day="2026-03-31",

@@ -30,6 +30,9 @@ WIDTH = 1000.0
 LEG = (75.0, 1003.0)
 """mm above the ground between which a legform of 928 mm hangs in the vehicle test."""
 
+ABOVE = 300.0
+"""mm of the car that are seen above the legform: its roof decides nothing."""
+
 SHADE = {
     "s1": "#0a6847",
     "s2": "#4f7a12",
@@ -53,8 +56,9 @@ def car_front(view: CampaignView, scheme: JudgedScheme) -> Drawing:
     half = 0.56 * car.width
     x = Scale(-half, half, 20.0, WIDTH - 20.0)
     step = (WIDTH - 40.0) / (2 * half)
-    ground = 20.0 + car.height * step
-    z = Scale(0.0, car.height, ground, 20.0)
+    seen = min(car.height + 40.0, LEG[1] + ABOVE)
+    ground = seen * step
+    z = Scale(0.0, seen, ground, 0.0)
     drawn = car_outline(car, x, z)
     drawn += _zones(car, x, z) + _axis(document, x, ground)
     reports = {point.name: point for point in document.points}

@@ -31,7 +31,7 @@ def car_outline(car: CarFront, x: Scale, z: Scale) -> str:
     def shape(half: Sequence[Place], fill: str, css: str) -> str:
         """Draw a form given by its right half, from its top middle to its bottom middle."""
         right = [(x(a * w), z(b)) for a, b in half]
-        left = [(x(-a * w), z(b)) for a, b in reversed(half)]
+        left = [(x(-a * w), z(b)) for a, b in reversed(half) if a > 0]
         return tag("path", d=smooth([*right, *left]), fill=fill, stroke=EDGE, stroke_width=1.5, class_=css)
 
     drawn = ""
