@@ -73,7 +73,10 @@ def plausible(
     """
     if procedure.test_kind == "static" or filtered.recording.time.size < 2:
         return Plausibility(values)
-    channels = doubtful_channels(filtered, window)
+    graded = [criterion for criterion in procedure.criteria if criterion.corridor is not None]
+    spans = [evaluated(criterion, window, interval) for criterion in graded or procedure.criteria]
+    decided = max((span.end for span in spans), default=window.end)
+    channels = doubtful_channels(filtered, window, decided)
     shaken = _shaken_interval(filtered, channels.doubts)
     checked = {}
     for criterion in procedure.criteria:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from certkit.definitions.channels import ELONGATION, MOMENT
-from certkit.errors import DataError
+from certkit.grading.channels_of_leg import LegChannels
 from certkit.reasons import Reason
 from certkit.signals.clipping import find_clipping
 from certkit.signals.offset import MARGIN
@@ -25,18 +24,20 @@ from certkit.signals.plausibility_motion import (
     off_the_line,
     turned_gauges,
 )
-from certkit.signals.plausibility_steps import LIGAMENT_SPEED, impossible_step, largest_step, steepest
+from certkit.signals.plausibility_steps import (
+    LIGAMENT_SPEED,
+    drop_out,
+    impossible_step,
+    largest_step,
+    steepest,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping
 
-    from numpy.typing import NDArray
-
     from certkit.grading.trace import EvaluationWindow
-    from certkit.signals import Channel, Filtered
+    from certkit.signals import Filtered
 
-FILTER = "CFC 180"
-"""Filter of the channels that are compared with their neighbours, that of all criteria."""
 KEPT = ("clipped-kept", "sign-turned")
 """Notes of a channel that was kept with --lenient though its values are no evidence."""
 FREE_LIGAMENT = 3.0
@@ -62,82 +63,7 @@ class ChannelDoubts:
     remarks: tuple[Reason, ...] = ()
 
 
-@dataclass(frozen=True)
-class _Leg:
-    """Bone moments and elongations of a recording, with their classes, filtered, from contact on."""
-
-    filtered: Filtered
-    window: EvaluationWindow
-
-    @cached_property
-    def channels(self) -> dict[str, Channel]:
-        """Return channels that have an amplitude class and are finite."""
-        kinds = self.filtered.recording.table.kinds
-        return {
-            name: channel
-            for name, channel in self.filtered.recording.channels.items()
-            if name in kinds
-            and kinds[name].amplitude_class is not None
-            and channel.dimension in {MOMENT, ELONGATION}
-            and channel.values.size > 1
-            and np.isfinite(channel.values).all()
-        }
-
-    @cached_property
-    def begin(self) -> int:
-        """Return the index of contact."""
-        return int(np.searchsorted(self.filtered.recording.time, 0.0))
-
-    @cached_property
-    def smooth(self) -> dict[str, NDArray[np.float64]]:
-        """Return the channels through the filter; as recorded where that cannot be."""
-        found = {}
-        for name, channel in self.channels.items():
-            try:
-                found[name] = self.filtered.values(name, FILTER)
-            except DataError:
-                found[name] = channel.values
-        return found
-
-    @cached_property
-    def after(self) -> dict[str, NDArray[np.float64]]:
-        """Return the filtered channels within the window."""
-        end = int(np.searchsorted(self.filtered.recording.time, self.window.end, side="right"))
-        return {name: values[self.begin : end] for name, values in self.smooth.items()}
-
-    def amplitude_class(self, name: str) -> float:
-        """Return a channel's amplitude class, SI."""
-        return self.filtered.recording.table.kinds[name].amplitude_class or 0.0
-
-    @cached_property
-    def peaks(self) -> dict[str, float]:
-        """Return the largest sizes within the window, SI."""
-        return {name: float(np.abs(v).max()) if v.size else 0.0 for name, v in self.after.items()}
-
-    @cached_property
-    def bones(self) -> dict[str, list[str]]:
-        """Return the gauges of each part, in the order of the legform."""
-        found: dict[str, list[str]] = {}
-        for name, kind in self.filtered.recording.table.kinds.items():
-            if kind.part and name in self.channels:
-                found.setdefault(kind.part, []).append(name)
-        return found
-
-    def blow_beside(self, name: str) -> bool:
-        """Tell whether the other bone moments show a blow."""
-        classes = self.amplitude_class
-        return blow({n: p / classes(n) for n, p in self.peaks.items() if n != name and self.moment(n)})
-
-    def moment(self, name: str) -> bool:
-        """Tell whether a channel is a bending moment."""
-        return self.channels[name].dimension == MOMENT
-
-    def at(self, index: int) -> float:
-        """Return the time of a sample, ms."""
-        return float(self.filtered.recording.time[index]) * 1e3
-
-
-def doubtful_channels(filtered: Filtered, window: EvaluationWindow) -> ChannelDoubts:
+def doubtful_channels(filtered: Filtered, window: EvaluationWindow, decided: float) -> ChannelDoubts:
     """Find channels of a dynamic test whose values are no evidence.
 
     Parameters
@@ -146,8 +72,11 @@ def doubtful_channels(filtered: Filtered, window: EvaluationWindow) -> ChannelDo
         The conditioned recording.
     window : EvaluationWindow
         Seconds that are evaluated.
+    decided : float
+        Seconds at which the last criterion is decided; what a sensor shows later, as when the leg falls to
+        the ground, spoils nothing.
     """
-    leg = _Leg(filtered, window)
+    leg = LegChannels(filtered, window, decided)
     doubts: dict[str, Reason] = {}
     for check in CHECKS:
         for name, reason in check(leg):
@@ -155,17 +84,17 @@ def doubtful_channels(filtered: Filtered, window: EvaluationWindow) -> ChannelDo
     return ChannelDoubts(doubts, tuple(_patterns(leg, doubts)))
 
 
-def _kept(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+def _kept(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield what --lenient kept although it is clipped or turned."""
     for name, channel in leg.filtered.recording.channels.items():
         yield from ((name, note) for note in channel.notes if note.code in KEPT)
 
 
-def _steps(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+def _steps(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield drop-outs and overflows."""
     for name, channel in leg.channels.items():
         rate = steepest(leg.amplitude_class(name)) if leg.moment(name) else LIGAMENT_SPEED
-        at = impossible_step(channel.values, leg.filtered.recording.interval, rate)
+        at = impossible_step(channel.values[: leg.end], leg.filtered.recording.interval, rate)
         if at is not None:
             step = float(channel.values[at] - channel.values[at - 1]) * channel.dimension.scale
             unit = channel.dimension.unit
@@ -176,11 +105,33 @@ def _steps(leg: _Leg) -> Iterator[tuple[str, Reason]]:
             )
 
 
-def _clipped(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+def _drop_outs(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
+    """Yield channels that jump away and come back at once: lost contacts, lost telegrams, spikes."""
+    for name, channel in leg.channels.items():
+        recorded = channel.values[: leg.end]
+        swing = float(np.ptp(leg.after[name])) if leg.after[name].size else 0.0
+        found = drop_out(recorded, leg.filtered.recording.interval, swing)
+        if found is not None:
+            begin, end = found
+            away = float(recorded[begin] - recorded[begin - 1]) * channel.dimension.scale
+            yield (
+                name,
+                Reason.of(
+                    "drop-out",
+                    step=abs(away),
+                    unit=channel.dimension.unit,
+                    time=leg.at(begin),
+                    back=leg.at(end),
+                ),
+            )
+
+
+def _clipped(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield flat tops, as recorded and through the filter, which takes noise off a plateau."""
     for name, channel in leg.channels.items():
         limit = leg.amplitude_class(name)
-        found = find_clipping(channel.values, limit) or find_clipping(leg.smooth[name], limit)
+        recorded, smooth = channel.values[: leg.end], leg.smooth[name][: leg.end]
+        found = find_clipping(recorded, limit) or find_clipping(smooth, limit)
         if found is not None:
             scale, unit = channel.dimension.scale, channel.dimension.unit
             yield (
@@ -189,7 +140,7 @@ def _clipped(leg: _Leg) -> Iterator[tuple[str, Reason]]:
             )
 
 
-def _dead(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+def _dead(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that do not move though the bones do."""
     rest = int(np.searchsorted(leg.filtered.recording.time, -MARGIN))
     for name, values in leg.after.items():
@@ -199,7 +150,7 @@ def _dead(leg: _Leg) -> Iterator[tuple[str, Reason]]:
             yield name, Reason.of("channel-dead", swing=swing, unit=channel.dimension.unit)
 
 
-def _early(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+def _early(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that move before contact though the others are at rest: shifted in time, or drifting."""
     rest = int(np.searchsorted(leg.filtered.recording.time, -MARGIN))
     before = {name: values[:rest] for name, values in leg.smooth.items() if leg.blow_beside(name)}
@@ -207,7 +158,7 @@ def _early(leg: _Leg) -> Iterator[tuple[str, Reason]]:
         yield name, Reason.of("moves-before-contact", share=100.0 * share)
 
 
-def _frozen(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+def _frozen(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that stand still for a while in which the others move."""
     interval = leg.filtered.recording.interval
     moves = {name: activity(values, interval) for name, values in leg.after.items()}
@@ -229,7 +180,7 @@ def _frozen(leg: _Leg) -> Iterator[tuple[str, Reason]]:
                 yield name, Reason.of("channel-frozen", time=leg.at(leg.begin + at * step))
 
 
-def _turned(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+def _turned(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield gauges that move against their neighbours, and ligaments that are shortened by a blow."""
     for names in leg.bones.values():
         loaded = {n: leg.after[n] for n in names if leg.peaks[n] > 0.05 * leg.amplitude_class(n)}
@@ -245,13 +196,13 @@ def _turned(leg: _Leg) -> Iterator[tuple[str, Reason]]:
             yield name, Reason.of("moves-wrong-way", least=least, most=most, unit="mm")
 
 
-def _regulated(leg: _Leg, name: str) -> bool:
+def _regulated(leg: LegChannels, name: str) -> bool:
     """Tell whether a ligament is one that the test lengthens: it usually shows an elongation."""
     kind = leg.filtered.recording.table.kinds[name]
     return kind.sign > 0 or (kind.usual or 0.0) > 0
 
 
-def _units(leg: _Leg) -> Iterator[tuple[str, Reason]]:
+def _units(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that are out by a power of ten."""
     kinds = leg.filtered.recording.table.kinds
     for dimension in (MOMENT, ELONGATION):
@@ -272,9 +223,10 @@ def _units(leg: _Leg) -> Iterator[tuple[str, Reason]]:
             )
 
 
-CHECKS: tuple[Callable[[_Leg], Iterator[tuple[str, Reason]]], ...] = (
+CHECKS: tuple[Callable[[LegChannels], Iterator[tuple[str, Reason]]], ...] = (
     _kept,
     _steps,
+    _drop_outs,
     _clipped,
     _dead,
     _frozen,
@@ -285,7 +237,7 @@ CHECKS: tuple[Callable[[_Leg], Iterator[tuple[str, Reason]]], ...] = (
 """In the order in which a channel's first fault is told."""
 
 
-def _patterns(leg: _Leg, doubts: Mapping[str, Reason]) -> Iterator[Reason]:
+def _patterns(leg: LegChannels, doubts: Mapping[str, Reason]) -> Iterator[Reason]:
     """Yield gauges that lie off the line between their neighbours by more than a leg can show."""
     for names in leg.bones.values():
         for before, gauge, behind in zip(names, names[1:], names[2:], strict=False):

@@ -18,17 +18,19 @@ if TYPE_CHECKING:
 
 FLAT_SAMPLES = 10
 """Samples that a flat top has at least."""
-STEEP = 60.0
-"""Bands that the shoulders of the larger side have to fall by; the flattest peak of a shipped run has 32,
-with noise 39."""
-STEEP_SMALLER = 120.0
-"""The same for the smaller side; a swing of two humps has 27 there in a shipped run."""
+STEEP = ((1e-3, 3.2e-3, 1e-2, 3e-2), (60.0, 50.0, 40.0, 28.0))
+"""Bands that the shoulders of the larger side have to fall by, over the band as a share of the swing (in
+between by its logarithm): the wider the band, the less a smooth peak keeps it. The flattest peaks of the
+shipped runs, with noise and filters, have 39 at a share of 0.001, 25 at 0.003, 32 at 0.01 and 20 at 0.03; a
+peak cut at six tenths has 32 at 0.03 already."""
+STEEP_SMALLER = 2.0
+"""Times as many bands for the smaller side; a swing of two humps has 38 at 0.001 there in a shipped run."""
 SMALL = 0.115
 """Share of the amplitude class that a channel has to reach for its shape to be looked at: 3.45 mm, just below
 the smallest lower limit of a corridor (PCL, 3.5 mm)."""
 SMALLER = 0.2
 """Share of the largest size that the smaller side has to reach to be looked at."""
-BANDS = 10.0 ** np.linspace(-4.5, -2.0, 11)
+BANDS = 10.0 ** np.linspace(-4.5, -1.4, 13)
 """Heights of the band below the top, as shares of the channel's whole swing."""
 NARROW = 1e-3
 """Share of the swing up to which one steep shoulder is enough: so near its top every peak is a parabola."""
@@ -77,14 +79,14 @@ def find_clipping(values: NDArray[np.float64], amplitude_class: float | None = N
         top = float(side.max())
         if top <= 0 or top < SMALLER * largest:
             continue
-        index = _flat_top(side, STEEP if top == largest else STEEP_SMALLER)
+        index = _flat_top(side, 1.0 if top == largest else STEEP_SMALLER)
         if index is not None:
             return Clipping(sign * top, index)
     return None
 
 
-def _flat_top(values: NDArray[np.float64], steep: float) -> int | None:
-    """Return where a flat top with steep shoulders begins, or None."""
+def _flat_top(values: NDArray[np.float64], times: float) -> int | None:
+    """Return where a flat top begins whose shoulders fall by `times` as many bands as is steep, or None."""
     peak = int(values.argmax())
     top, swing = float(values[peak]), float(np.ptp(values))
     steps = np.abs(np.diff(values))
@@ -105,6 +107,7 @@ def _flat_top(values: NDArray[np.float64], steep: float) -> int | None:
             _fall(top, values[end:], width),
         ]
         known = [fall for fall in falls if fall is not None]
+        steep = times * float(np.interp(np.log(band / swing), np.log(STEEP[0]), STEEP[1]))
         if known and min(known) > max(steep * band, SHOULDER * swing):
             return begin
         # A dip within the flat looks like a second, shallow shoulder; the other one still tells.

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Procedure
     from certkit.signals.recording import Channel, Recording
 
+SETTLED = 0.005
+"""Seconds after the end of what is evaluated from which on the filters carry nothing back into it."""
 UNIFORM = 0.01
 """Largest deviation of a sample from the uniform time axis, in sampling intervals."""
 
@@ -46,12 +48,15 @@ class Situation:
         The legform knows the signs of some of its channels beforehand.
     lenient : bool
         Turn swapped channels and keep clipped ones, with a note, instead of refusing them.
+    until : float or None
+        Seconds after contact up to which the test is evaluated; None where the data say so themselves.
     """
 
     dynamic: bool
     free_flight: bool
     signs_known: bool
     lenient: bool = False
+    until: float | None = None
 
 
 def condition(recording: Recording, procedure: Procedure, *, lenient: bool = False) -> Recording:
@@ -81,6 +86,7 @@ def condition(recording: Recording, procedure: Procedure, *, lenient: bool = Fal
         free_flight=procedure.test_kind == "flight",
         signs_known=any(fixture.signs_known for fixture in procedure.rig.fixtures()),
         lenient=lenient,
+        until=None if procedure.run.until is None else float(procedure.run.until),
     )
     if recording.kind == "measured":
         for step in MEASURED_STEPS:
@@ -119,13 +125,19 @@ def uniform(recording: Recording, situation: Situation) -> Recording:
 
 
 def unclipped(recording: Recording, situation: Situation) -> Recording:
-    """Refuse channels that ran into their amplitude class or into an amplifier."""
-    if not situation.dynamic:
+    """Refuse channels that ran into their amplitude class or into an amplifier while they were evaluated.
+
+    In free flight the end of the assessment interval is not known yet; there the plausibility gate looks.
+    """
+    if not situation.dynamic or situation.free_flight:
         return recording
+    end = recording.time.size
+    if situation.until is not None:
+        end = int(np.searchsorted(recording.time, situation.until + SETTLED))
 
     def check(channel: Channel) -> Channel:
         kind = recording.table.kinds.get(channel.name)
-        clipping = find_clipping(channel.values, kind.amplitude_class if kind else None)
+        clipping = find_clipping(channel.values[:end], kind.amplitude_class if kind else None)
         if clipping is None:
             return channel
         shown = f"{clipping.level * channel.dimension.scale:.6g} {channel.dimension.unit}"

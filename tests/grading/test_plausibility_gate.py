@@ -98,6 +98,23 @@ def drop_out(time: Floats, values: Floats) -> Floats:
     return values
 
 
+def lost(share: float, count: int) -> Callable[[Floats, Floats], Floats]:
+    """Lose samples early on the flank, where a leg could make a step as large as that to rest."""
+
+    def change(time: Floats, values: Floats) -> Floats:
+        rest = float(np.median(values[time < 0]))
+        flank = int(np.flatnonzero((time > 0) & (values - rest > share * np.ptp(values)))[0])
+        values[flank : flank + count] = rest
+        return values
+
+    return change
+
+
+def spike(time: Floats, values: Floats) -> Floats:
+    values[int(np.searchsorted(time, 0.020))] += 0.2 * values.max()
+    return values
+
+
 def overflow(time: Floats, values: Floats) -> Floats:
     at = int(np.searchsorted(time, 0.024))
     values[at : at + 3] -= 380.0
@@ -130,6 +147,9 @@ def cut_with_noise(time: Floats, values: Floats) -> Floats:
         ("T2", drop_out, "impossible-step"),
         ("MCL", drop_out, "impossible-step"),
         ("T3", overflow, "impossible-step"),
+        ("T4", lost(0.17, 3), "drop-out"),
+        ("PCL", lost(0.11, 3), "drop-out"),
+        ("T4", spike, "drop-out"),
     ],
 )
 def test_a_channel_that_cannot_have_shown_the_blow_is_not_evaluated(
@@ -206,3 +226,11 @@ def test_a_smeared_top_of_a_filtered_clipped_channel_is_found_too():
     smeared = damaged("T1", lambda _, v: cfc(np.minimum(v, 0.8 * v.max()), record.interval, 600))
     result = graded(smeared, lenient=True)
     assert reason(result, "T1") in {"clipped", "clipped-kept"}
+
+
+def test_a_channel_that_is_driven_into_its_limits_after_the_interval_is_evidence():
+    late = damaged("T1", lambda time, v: np.where(time > 0.08, np.where(time < 0.1, 400.0, -390.0), v))
+    result = graded(late)
+    assert result.interval is not None
+    assert result.interval[1] < 0.07
+    assert result.verdict == "pass", [c.reason for c in result.criteria]

@@ -282,6 +282,7 @@ REASONS = MappingProxyType(
         "moves-wrong-way": "verkürzt sich um {least:.3g} {unit}, wo der Stoß verlängert (größte Verlängerung {most:.3g} {unit}): gedreht oder abgerissen",
         "unit-out-by-ten": "{value:.3g} {unit} weicht um den Faktor {factor:g} von {others:list} ab: Einheit prüfen",
         "impossible-step": "springt bei {time:.2f} ms um {step:.3g} {unit} innerhalb eines Abtastschritts; ein Bein erlaubt {limit:.3g} {unit}",
+        "drop-out": "springt bei {time:.2f} ms um {step:.3g} {unit} von seinem Verlauf weg und ist bei {back:.2f} ms zurück",
         "clipped": "die Spitze ist ab {time:.2f} ms bei {level:.4g} {unit} flach abgeschnitten: der Höchstwert ist verloren",
         "record-begins-late": "die Aufzeichnung beginnt {start:.4g} ms nach dem Kontakt; was vorher war, ist unbekannt",
         "loaded-before-contact": "zeigt {value:.4g} {unit} bei oder vor dem Kontakt: die Aufzeichnung beginnt zu spät, oder der Zeitnullpunkt ist falsch",

@@ -101,6 +101,7 @@ REASONS = MappingProxyType(
         "moves-wrong-way": "it is shortened by {least:.3g} {unit} where the blow lengthens it (largest elongation {most:.3g} {unit}): turned or torn off",
         "unit-out-by-ten": "{value:.3g} {unit} is out by a factor of {factor:g} against {others:list}: check the unit",
         "impossible-step": "it jumps by {step:.3g} {unit} within one sample at {time:.2f} ms; a leg allows {limit:.3g} {unit}",
+        "drop-out": "it jumps by {step:.3g} {unit} away from its course at {time:.2f} ms and is back at {back:.2f} ms",
         "clipped": "its top is cut off flat at {level:.4g} {unit} from {time:.2f} ms on: the peak is lost",
         "record-begins-late": "the record begins {start:.4g} ms after contact; what came before is not known",
         "loaded-before-contact": "it shows {value:.4g} {unit} at or before contact: the record begins late, or time zero is wrong",

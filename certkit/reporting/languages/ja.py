@@ -282,6 +282,7 @@ REASONS = MappingProxyType(
         "moves-wrong-way": "衝撃で伸びるはずのところ {least:.3g} {unit} 縮む (最大伸び {most:.3g} {unit}): 反転または断線",
         "unit-out-by-ten": "{value:.3g} {unit} は {others:list} に対して {factor:g} 倍ずれている: 単位を確認すること",
         "impossible-step": "{time:.2f} ms で 1 サンプルの間に {step:.3g} {unit} 跳ぶ。脚で可能なのは {limit:.3g} {unit}",
+        "drop-out": "{time:.2f} ms で本来の経過から {step:.3g} {unit} 跳び、{back:.2f} ms で戻る",
         "clipped": "{time:.2f} ms から {level:.4g} {unit} で頂部が平らに切れている: ピークは失われた",
         "record-begins-late": "記録は接触の {start:.4g} ms 後に始まる。それ以前は不明",
         "loaded-before-contact": "接触時または接触前に {value:.4g} {unit} を示す: 記録の開始が遅いか、時刻零点が誤り",
