@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 from certkit.errors import DataError
 from certkit.files.bounded import read_bounded
 from certkit.reporting.attachments import MANIFEST, SCHEMA
-from certkit.reporting.language import ENGLISH, languages
+from certkit.reporting.language import ENGLISH
+from certkit.reporting.language_list import languages
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -157,7 +157,7 @@ def render_suite(  # noqa: PLR0913  # as many as the command has options
     UsageError
         When there are such files of other results, and `force` is not given.
     """
-    from certkit.reporting import render_suite as write  # noqa: PLC0415  # likewise
+    from certkit.reporting.writing import render_suite as write  # noqa: PLC0415  # likewise
 
     with suite_switch(Path(out), results, force=force) as stage:
         written = write(results, stage, split(formats), title=title, paper=paper, spoken=language)

@@ -85,7 +85,7 @@ def suite_switch(folder: Path, results: Sequence[Result], *, force: bool) -> Ite
     AnotherResultError
         When it holds the report of a single result, or a suite of other results.
     """
-    from certkit.reporting.writing import FORMATS  # noqa: PLC0415  # waits until there is a suite
+    from certkit.reporting.report_format import FORMATS  # noqa: PLC0415  # waits until there is a suite
 
     names = {str(file) for module in FORMATS.values() if (file := import_module(module).SUITE_FILE)}
     with FolderSwitch(folder) as switch:
@@ -258,7 +258,7 @@ def _files_of(document: OutputDocument, old: Mapping[str, Any], folder: Path) ->
     stem = Path(document.file_name).stem
     names = {document.file_name, f"{stem}.html", f"{stem}.pdf"}
     if stem == "result":
-        from certkit.reporting.writing import FORMATS  # noqa: PLC0415  # only where there is an old result
+        from certkit.reporting.report_format import FORMATS  # noqa: PLC0415  # only where there is an old result
 
         names |= {str(import_module(module).FILE) for module in FORMATS.values()}
     if stem == "campaign":

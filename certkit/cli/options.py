@@ -7,12 +7,15 @@ from typing import Annotated
 
 import typer
 
+from certkit.reporting.language_list import languages
+from certkit.reporting.report_format import FORMATS
+
 Out = Annotated[Path | None, typer.Option("--out", help="Folder for the results.", show_default="runs/NAME")]
 Formats = Annotated[
     str,
     typer.Option(
         "--format",
-        help="Reports to write, separated by commas: html, pdf, junit, csv, md. The JSON is always written.",
+        help=f"Reports to write, separated by commas: {', '.join(FORMATS)}. The JSON is always written.",
     ),
 ]
 Overrides = Annotated[
@@ -28,7 +31,8 @@ Libraries = Annotated[
     typer.Option("--library", metavar="DIR", help="Folder with own definitions; searched first. Repeatable."),
 ]
 Language = Annotated[
-    str, typer.Option("--language", metavar="CODE", help="Language of page and PDF: en, de or ja.")
+    str,
+    typer.Option("--language", metavar="CODE", help=f"Language of page and PDF: {', '.join(languages())}."),
 ]
 Force = Annotated[
     bool, typer.Option("--force", help="Overwrite another result that stands where this one goes.")

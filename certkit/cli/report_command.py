@@ -10,6 +10,7 @@ import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
 from certkit.errors import RunError
+from certkit.reporting.report_format import FORMATS
 
 Documents = Annotated[
     list[Path],
@@ -35,7 +36,7 @@ def report(
         str | None,
         typer.Option(
             "--format",
-            help="Separated by commas: html, pdf, junit, csv, md.",
+            help=f"Separated by commas: {', '.join(FORMATS)}.",
             show_default="html, and pdf where there is one",
         ),
     ] = None,

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from certkit.errors import UsageError
 from certkit.reporting.language import ENGLISH, worded
-from certkit.reporting.writing import FORMATS
+from certkit.reporting.report_format import FORMATS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -48,7 +48,7 @@ _PAPER = ("html", "pdf")
 
 REPORTS = {
     "certkit-result/1": DocumentReport(
-        "certkit.reporting.writing:render_written",
+        "certkit.reporting.writing:render",
         tuple(FORMATS),
         _PAPER,
         takes_paper=True,

@@ -11,7 +11,8 @@ import re
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
-from certkit.reporting.language import ENGLISH, languages
+from certkit.reporting.language import ENGLISH
+from certkit.reporting.language_list import languages
 from certkit.reporting.page_data import embedded, payload
 from certkit.reporting.templating import fill, folder, text
 

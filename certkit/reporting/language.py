@@ -6,12 +6,12 @@ import string
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
-from pkgutil import iter_modules
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from certkit.documents.wording import with_words
 from certkit.errors import UsageError
 from certkit.reasons import WORDS, Reason
+from certkit.reporting.language_list import FOLDER, languages
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     Model = TypeVar("Model", bound=BaseModel)
 
 ENGLISH = "en"
-_FOLDER = "certkit.reporting.languages"
 
 
 @dataclass(frozen=True)
@@ -92,11 +91,6 @@ class _Sentence(string.Formatter):
         return str(super().format_field(value, format_spec))
 
 
-def languages() -> list[str]:
-    """Return the codes of all languages there are: the files of `certkit.reporting.languages`."""
-    return sorted(module.name for module in iter_modules(import_module(_FOLDER).__path__))
-
-
 @cache
 def language(code: str = ENGLISH) -> Language:
     """Return a language.
@@ -108,7 +102,7 @@ def language(code: str = ENGLISH) -> Language:
     """
     if code not in languages():
         raise UsageError(f"there is no language `{code[:20]}`; there are {', '.join(languages())}")
-    module = import_module(f"{_FOLDER}.{code}")
+    module = import_module(f"{FOLDER}.{code}")
     return Language(code, module.NAME, module.VERDICTS, module.WORDS, module.REASONS)
 
 

@@ -1,20 +1,37 @@
-"""What a report format is: a module with the names of its files and a function that makes their content."""
+"""The report formats of a result: a module each, with the names of its files and what makes their content.
+
+A format is one file beside this one, and one line in `FORMATS`: writing, the commands' help and `verify` ask
+here. The module is imported when it is asked for: JUnit must not wait for jinja2.
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, Protocol
+from importlib import import_module
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Literal, Protocol, cast
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from certkit.reporting.result_view import View
 
+FORMATS = MappingProxyType(
+    {
+        "csv": "certkit.reporting.csv_report",
+        "junit": "certkit.reporting.junit",
+        "md": "certkit.reporting.markdown",
+        "html": "certkit.reporting.html_report",
+        "pdf": "certkit.reporting.pdf_report",
+    }
+)
+"""The module of each format, a `ReportFormat`; the cheapest first."""
+
 Paper = Literal["A4", "Letter"]
 """Page sizes of a PDF."""
 
 
 class ReportFormat(Protocol):
-    """A module of `certkit.reporting.writing.FORMATS`.
+    """A module of `FORMATS`.
 
     Parameters
     ----------
@@ -34,3 +51,8 @@ class ReportFormat(Protocol):
 
     def write(self, views: Sequence[View], *, title: str | None, paper: Paper) -> str | bytes | None:
         """Return the content for one result, or for a suite of that title; None where there is nothing."""
+
+
+def report_format(name: str) -> ReportFormat:
+    """Return the module of a format."""
+    return cast("ReportFormat", import_module(FORMATS[name]))

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from importlib import import_module
-from types import MappingProxyType
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 from certkit.errors import MissingPartError, UsageError
 from certkit.files import write_whole
 from certkit.reporting.language import ENGLISH
 from certkit.reporting.left_out import leave_out
+from certkit.reporting.report_format import FORMATS, report_format
 from certkit.reporting.result_view import unique_views
 
 if TYPE_CHECKING:
@@ -17,32 +17,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.documents.result import Result
-    from certkit.identification import ExtractionResult
-    from certkit.reporting.report_format import Paper, ReportFormat
+    from certkit.reporting.report_format import Paper
     from certkit.reporting.result_view import View
 
-FORMATS = MappingProxyType(
-    {
-        "csv": "certkit.reporting.csv_report",
-        "junit": "certkit.reporting.junit",
-        "md": "certkit.reporting.markdown",
-        "html": "certkit.reporting.html_report",
-        "pdf": "certkit.reporting.pdf_report",
-    }
-)
-"""The module of each format, cheapest first: a `certkit.reporting.report_format.ReportFormat`.
-
-A format is one file and one line here: writing, the list of formats and `verify` ask the module. It is
-imported when it is asked for: JUnit must not wait for jinja2.
-"""
-
-
 SUITE_TITLE = "Certification suite"
-
-
-def report_format(name: str) -> ReportFormat:
-    """Return the module of a format."""
-    return cast("ReportFormat", import_module(FORMATS[name]))
 
 
 def checked(formats: Collection[str]) -> list[str]:
@@ -67,11 +45,11 @@ def render(
     Parameters
     ----------
     result : Result
-        The document; nothing else is read.
+        The document, with the digits of its file (`as_written`); nothing else is read.
     out : Path
         Folder; made when missing.
     formats : collection of str
-        Of `html`, `pdf`, `junit`, `csv`, `md`; `json` is ignored here, since grading writes it.
+        Of `FORMATS`; `json` is ignored here, since grading writes it.
     paper : {'A4', 'Letter'}
         Page size of the PDF.
     spoken : str
@@ -88,13 +66,6 @@ def render(
     UsageError
         When a format is unknown.
     """
-    return render_written(result.as_written(), out, formats, paper=paper, spoken=spoken)
-
-
-def render_written(
-    result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4", spoken: str = ENGLISH
-) -> list[Path]:
-    """Do as `render` does, with a result that was read from its own JSON and so has its digits already."""
     return _write([result], out, formats, title=None, paper=paper, spoken=spoken)
 
 
@@ -171,10 +142,3 @@ def _write(  # what a format takes
             write_whole(out / file, content)
             written.append(out / file)
     return written
-
-
-def render_extraction(result: ExtractionResult, out: Path, formats: Collection[str]) -> list[Path]:
-    """Write the report of an extraction; see `certkit.reporting.extraction_report`."""
-    from certkit.reporting.extraction_report import render_extraction as write  # noqa: PLC0415  # jinja2 waits
-
-    return write(result, out, formats)

@@ -12,7 +12,7 @@ import typer
 import yaml
 
 from certkit.cli import app
-from certkit.reporting import FORMATS
+from certkit.reporting.report_format import FORMATS
 
 FOLDER = Path(__file__).parents[2] / "docs" / "how-to" / "pipelines"
 FILES = sorted(FOLDER.glob("*.yml"))

@@ -11,12 +11,17 @@ import numpy as np
 import pytest
 
 import certkit.grading.measures as measure_files
+import certkit.reporting
 from certkit.definitions.measures import MEASURES, MeasureKind
 from certkit.grading.measure import NoInterval, measure
 from certkit.grading.measures import method_of
 from certkit.grading.trace import EvaluationWindow
+from certkit.reporting.language_list import languages
+from certkit.reporting.report_format import FORMATS
+from certkit.reporting.writing import render
 from certkit.signals import Filtered
 from tests.support.sheets import bump, criterion, recording
+from tests.support.synthetic_result import result
 
 if TYPE_CHECKING:
     from types import ModuleType
@@ -83,3 +88,27 @@ def test_a_measure_is_one_file_and_one_line(monkeypatch: pytest.MonkeyPatch, tmp
     found = measure(asked, Filtered(rec), EvaluationWindow(0.0, 0.2), NoInterval())
     assert found.value == pytest.approx(250.0 * np.cos(np.pi * 0.0015 / 0.04) ** 2)
     method_of.cache_clear()
+
+
+VERDICT_ONLY = """
+FILE, SUITE_FILE, TRANSLATED, REPEATABLE = "verdict.txt", None, False, True
+
+def write(views, *, title, paper):
+    return views[0].result.verdict
+"""
+
+
+def test_a_report_format_is_one_file_and_one_line(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
+    with_file(monkeypatch, certkit.reporting, tmp_path, "verdict_only", VERDICT_ONLY)
+    more = MappingProxyType({**FORMATS, "verdict": "certkit.reporting.verdict_only"})
+    monkeypatch.setattr("certkit.reporting.report_format.FORMATS", more)
+    monkeypatch.setattr("certkit.reporting.writing.FORMATS", more)
+    document = result().as_written()
+    assert render(document, tmp_path / "out", ["verdict"]) == [tmp_path / "out" / "verdict.txt"]
+    assert (tmp_path / "out" / "verdict.txt").read_text() == document.verdict
+
+
+def test_formats_and_languages_are_listed_by_the_commands_help_from_where_they_are():
+    pairs = {f"{a}, {b}" for names in (tuple(FORMATS), languages()) for a in names for b in names}
+    for path in (PACKAGE / "cli").glob("*.py"):
+        assert [pair for pair in pairs if pair in path.read_text("utf-8")] == [], path.name

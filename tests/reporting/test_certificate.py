@@ -20,10 +20,10 @@ from support import synthetic_result
 from certkit.documents.result import Result
 from certkit.errors import LeftOutWarning, MissingPartError, UsageError
 from certkit.reporting import pdf_engine as typesetting
-from certkit.reporting import render
 from certkit.reporting.attachments import MANIFEST
 from certkit.reporting.pdf_report import certificate
 from certkit.reporting.result_view import unique_views
+from certkit.reporting.writing import render
 
 
 @pytest.fixture(scope="module")
@@ -101,10 +101,10 @@ def test_every_attachment_says_how_it_relates_to_the_certificate(pdf: pikepdf.Pd
 
 
 def test_the_attached_result_renders_to_the_same_reports(tmp_path: Path):
-    render(synthetic_result.result(), tmp_path / "first", ["html", "pdf"])
+    render(synthetic_result.result().as_written(), tmp_path / "first", ["html", "pdf"])
     with pikepdf.open(tmp_path / "first" / "report.pdf") as pdf:
         attached = Result.from_json(attachments(pdf)["result.json"])
-    render(attached, tmp_path / "again", ["html", "pdf"])
+    render(attached.as_written(), tmp_path / "again", ["html", "pdf"])
     for name in ("report.html", "report.pdf"):
         assert (tmp_path / "again" / name).read_bytes() == (tmp_path / "first" / name).read_bytes()
 
@@ -239,7 +239,9 @@ def test_without_pango_the_message_says_how_to_install_it():
 @pytest.mark.usefixtures("without_pango")
 def test_without_pango_all_other_reports_are_written_and_one_remark_says_so(tmp_path: Path):
     with pytest.warns(LeftOutWarning, match=r"report\.pdf is not written: the PDF needs the Pango library"):
-        written = render(synthetic_result.static_result(), tmp_path, ["pdf", "html", "md", "junit"])
+        written = render(
+            synthetic_result.static_result().as_written(), tmp_path, ["pdf", "html", "md", "junit"]
+        )
     assert {path.name for path in written} == {"junit.xml", "summary.md", "report.html"}
 
 

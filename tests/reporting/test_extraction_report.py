@@ -11,8 +11,7 @@ from support.synthetic_result import parsed
 from certkit.documents.extraction import ClosureResult, GroupResult, LawResult, MaterialResult, PathResult
 from certkit.errors import UsageError
 from certkit.identification import ExtractionResult
-from certkit.reporting import render_extraction
-from certkit.reporting.extraction_report import extraction_page
+from certkit.reporting.extraction_report import extraction_page, render_extraction
 from certkit.reporting.figure_files import figure_files
 from certkit.reporting.figure_list import FIGURES
 from certkit.reporting.figures import drawn

@@ -20,7 +20,8 @@ from certkit.documents.wording import without_words
 from certkit.errors import MissingPartError, UsageError
 from certkit.reasons import Reason
 from certkit.reporting import font_check
-from certkit.reporting.language import language, languages, worded
+from certkit.reporting.language import language, worded
+from certkit.reporting.language_list import languages
 from certkit.reporting.number_format import CONFIDENCE
 from certkit.reporting.result_view import KINDS
 from tests.support.sheets import bump, corridor_set, grade, procedure, recording

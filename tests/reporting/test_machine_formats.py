@@ -12,10 +12,10 @@ from support.synthetic_result import parsed
 from certkit.documents.result import Result
 from certkit.errors import UsageError
 from certkit.exchange.channels_csv import channels_csv
-from certkit.reporting import render, render_suite
 from certkit.reporting.junit import junit
 from certkit.reporting.markdown import github_annotations, summary
 from certkit.reporting.result_view import unique_views
+from certkit.reporting.writing import render, render_suite
 
 
 def cases(result: Result) -> dict[str | None, ET.Element]:
@@ -106,7 +106,7 @@ def test_a_pass_is_not_annotated(pendulum: Result):
 
 
 def test_render_writes_the_files_of_the_contract(bending: Result, tmp_path: Path):
-    written = render(bending, tmp_path, ["html", "pdf", "junit", "csv", "md"])
+    written = render(bending.as_written(), tmp_path, ["html", "pdf", "junit", "csv", "md"])
     names = {"report.html", "report.pdf", "junit.xml", "channels.csv", "summary.md"}
     assert {path.name for path in written} == names
     assert {path.name for path in tmp_path.iterdir()} == names
@@ -119,9 +119,9 @@ def test_render_suite_writes_the_index_and_one_bound_pdf(bending: Result, pendul
 
 def test_an_unknown_format_is_refused_before_anything_is_written(bending: Result, tmp_path: Path):
     with pytest.raises(UsageError, match="unknown format `docx`"):
-        render(bending, tmp_path, ["html", "docx"])
+        render(bending.as_written(), tmp_path, ["html", "docx"])
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_result_without_raw_channels_has_no_channels_file(tmp_path: Path):
-    assert render(synthetic_result.result(channels=None), tmp_path, ["csv"]) == []
+    assert render(synthetic_result.result(channels=None).as_written(), tmp_path, ["csv"]) == []

@@ -8,7 +8,7 @@ from typer.testing import CliRunner
 
 from certkit.cli import app
 from certkit.errors import DataError
-from certkit.reporting import render
+from certkit.reporting.writing import render
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -26,7 +26,7 @@ def document(tmp_path: Path) -> Path:
 
 
 def test_report_renders_what_the_run_rendered(document: Path, tmp_path: Path) -> None:
-    render(synthetic_result.static_result(), tmp_path / "first", ["html", "pdf"])
+    render(synthetic_result.static_result().as_written(), tmp_path / "first", ["html", "pdf"])
     command("report", document, "--out", tmp_path / "again")
     for name in ("report.html", "report.pdf"):
         assert (tmp_path / "again" / name).read_bytes() == (tmp_path / "first" / name).read_bytes()
