@@ -108,7 +108,8 @@ def test_a_report_format_is_one_file_and_one_line(monkeypatch: pytest.MonkeyPatc
     assert (tmp_path / "out" / "verdict.txt").read_text() == document.verdict
 
 
-def test_formats_and_languages_are_listed_by_the_commands_help_from_where_they_are():
+def test_the_commands_help_asks_which_formats_and_languages_a_result_has():
     pairs = {f"{a}, {b}" for names in (tuple(FORMATS), languages()) for a in names for b in names}
-    for path in (PACKAGE / "cli").glob("*.py"):
-        assert [pair for pair in pairs if pair in path.read_text("utf-8")] == [], path.name
+    for name in ("options.py", "report_command.py"):
+        text = (PACKAGE / "cli" / name).read_text("utf-8")
+        assert [pair for pair in pairs if pair in text] == []
