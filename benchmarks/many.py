@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from clock import Row, exponent
 
 from certkit.definitions.study import Study
-from certkit.studies.designs import latin_hypercube
+from certkit.studies.designs.latin_hypercube import latin_hypercube
 from certkit.studies.execution import Execution
 from certkit.studies.runs import Runs
 from certkit.studies.study_findings import set_up

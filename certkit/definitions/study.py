@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field, model_validator
 
@@ -57,12 +59,42 @@ class Correlation(Document):
     coefficient: Annotated[float, Field(gt=-1, lt=1)]
 
 
+@dataclass(frozen=True)
+class DesignKind:
+    """What follows from a design for the rest of a study.
+
+    Parameters
+    ----------
+    by_probability : bool
+        Whether its runs are spread by the parameters' distributions: it needs `runs`, parameters may vary
+        together, and the shares of runs inside the corridors are probabilities.
+    """
+
+    by_probability: bool = False
+
+
+DESIGNS = MappingProxyType(
+    {
+        "one at a time": DesignKind(),
+        "full factorial": DesignKind(),
+        "latin hypercube": DesignKind(by_probability=True),
+        "sobol sequence": DesignKind(by_probability=True),
+        "morris": DesignKind(),
+        "sobol indices": DesignKind(),
+    }
+)
+"""A new design is one line here and one file in `certkit.studies.designs`, found by these words."""
+
+if TYPE_CHECKING:
+    DesignWord = str
+else:
+    DesignWord = Literal[tuple(DESIGNS)]
+
+
 class Design(Document):
     """Where the runs are put."""
 
-    kind: Literal[
-        "one at a time", "full factorial", "latin hypercube", "sobol sequence", "morris", "sobol indices"
-    ]
+    kind: DesignWord
     runs: Annotated[int | None, Field(ge=1, le=1_000_000, description="Of a hypercube or sequence.")] = None
     levels: Annotated[int, Field(ge=2, le=100, description="Of a factorial or one at a time.")] = 3
     trajectories: Annotated[int, Field(ge=2, le=10_000, description="Of a Morris screening.")] = 20
@@ -71,7 +103,7 @@ class Design(Document):
 
     @model_validator(mode="after")
     def _sized(self) -> Design:
-        if self.kind in {"latin hypercube", "sobol sequence"} and self.runs is None:
+        if DESIGNS[self.kind].by_probability and self.runs is None:
             raise ValueError(f"a {self.kind} needs `runs`: how many")
         return self
 
@@ -118,10 +150,9 @@ class Study(Document):
             raise ValueError(f"`{unknown[0]}` is correlated but is no parameter of this study")
         if (self.design is None) == (self.optimise is None):
             raise ValueError("a study has either a `design` or something to `optimise`")
-        if self.correlations and (
-            self.design is None or self.design.kind not in {"latin hypercube", "sobol sequence"}
-        ):
-            raise ValueError("correlated parameters need a latin hypercube or a sobol sequence")
+        if self.correlations and (self.design is None or not DESIGNS[self.design.kind].by_probability):
+            able = " or ".join(kind for kind, design in DESIGNS.items() if design.by_probability)
+            raise ValueError(f"correlated parameters need the design {able}")
         strangers = [p.procedure for p in self.parameters if p.procedure not in {None, *self.procedures}]
         if strangers:
             raise ValueError(f"`{strangers[0]}` is no procedure of this study")

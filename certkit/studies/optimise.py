@@ -14,7 +14,8 @@ import numpy as np
 from certkit.definitions.corridor_set import ValueWindow
 from certkit.errors import RunError, UsageError
 from certkit.grading.corridors import Corridor, find_corridor, limits
-from certkit.studies.designs import at_shares, check_runs
+from certkit.studies.check_runs import check_runs
+from certkit.studies.designs.shares import at_shares
 from certkit.studies.factors import Factor, Uniform
 from certkit.studies.quantity import share, written
 from certkit.studies.run_table import table_of

@@ -30,7 +30,7 @@ from certkit.studies.combined_uncertainty import (
     criterion_uncertainty,
     standard_uncertainty,
 )
-from certkit.studies.designs import latin_hypercube
+from certkit.studies.designs.latin_hypercube import latin_hypercube
 from certkit.studies.execution import USUAL, Execution
 from certkit.studies.factors import Factor, factor_of
 from certkit.studies.journal import forget

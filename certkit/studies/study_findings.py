@@ -7,18 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.definitions.loading.library import load
-from certkit.definitions.study import Study
+from certkit.definitions.study import DESIGNS, Study
 from certkit.errors import UsageError
-from certkit.studies.designs import (
-    correlation_matrix,
-    full_factorial,
-    latin_hypercube,
-    one_at_a_time,
-    sobol_sequence,
-)
+from certkit.studies.designs import design_of
+from certkit.studies.designs.shares import correlation_matrix
 from certkit.studies.execution import USUAL, Execution
 from certkit.studies.factors import Factor, factor_of
-from certkit.studies.indices import morris_design, sobol_design
 from certkit.studies.run_table import ERROR, RUN, table_of
 from certkit.studies.runs import Runs
 from certkit.studies.trial import Trial
@@ -127,9 +121,7 @@ def set_up(sheet: Study, library: Sequence[Path] = ()) -> tuple[Trial, list[Fact
 
 def carry_out(sheet: Study, factors: Sequence[Factor], runs: Runs) -> Findings:
     """Run a study's design with any evaluation and look at what came out."""
-    from certkit.studies.effects import main_effects, one_at_a_time_effects  # noqa: PLC0415  # pandas, scipy
-    from certkit.studies.indices import morris_indices, sobol_indices  # noqa: PLC0415  # likewise
-    from certkit.studies.quick_model import quick_models  # noqa: PLC0415  # likewise
+    from certkit.studies.quick_model import quick_models  # noqa: PLC0415  # pandas, scipy
     from certkit.studies.scatter import chances  # noqa: PLC0415  # likewise
 
     design = sheet.design
@@ -139,24 +131,17 @@ def carry_out(sheet: Study, factors: Sequence[Factor], runs: Runs) -> Findings:
     points = points_of(design, factors, pairs)
     table = table_of(points, runs(points))
     outputs = numeric_outputs(table, factors)
-    kind = design.kind
-    find = one_at_a_time_effects if kind == "one at a time" else main_effects
-    indices = None
-    if kind == "morris":
-        indices = morris_indices(table, factors, outputs, design.seed)
-    elif kind == "sobol indices":
-        indices = sobol_indices(table, factors, outputs, design.seed)
-    scatters = kind in {"latin hypercube", "sobol sequence"}
+    reading = design_of(design.kind)
     return Findings(
         name=sheet.study,
         title=sheet.title,
-        design=kind,
+        design=design.kind,
         factors=tuple(factors),
         table=table,
-        effects=find(table, factors, outputs),
-        indices=indices,
-        models=quick_models(table, factors, outputs) if kind != "one at a time" else [],
-        chances=chances(table) if scatters else [],
+        effects=reading.effects(table, factors, outputs),
+        indices=reading.indices(table, factors, outputs, design.seed),
+        models=quick_models(table, factors, outputs) if reading.fits_models else [],
+        chances=chances(table) if DESIGNS[design.kind].by_probability else [],
     )
 
 
@@ -164,16 +149,7 @@ def points_of(
     design: Design, factors: Sequence[Factor], pairs: Sequence[tuple[str, str, float]] = ()
 ) -> list[Point]:
     """Return the runs of a design."""
-    if design.kind == "one at a time":
-        return one_at_a_time(factors, design.levels)
-    if design.kind == "full factorial":
-        return full_factorial(factors, design.levels)
-    if design.kind == "morris":
-        return morris_design(factors, design.trajectories, design.seed)
-    if design.kind == "sobol indices":
-        return sobol_design(factors, design.samples, design.seed)
-    spread = latin_hypercube if design.kind == "latin hypercube" else sobol_sequence
-    return spread(factors, design.runs or 1, design.seed, correlation_matrix(factors, pairs))
+    return design_of(design.kind).points(design, factors, correlation_matrix(factors, pairs))
 
 
 def numeric_outputs(table: pd.DataFrame, factors: Sequence[Factor]) -> list[str]:

@@ -12,7 +12,9 @@ import pytest
 
 import certkit.grading.measures as measure_files
 import certkit.reporting
+import certkit.studies.designs as design_files
 from certkit.definitions.measures import MEASURES, MeasureKind
+from certkit.definitions.study import DESIGNS, Design, DesignKind
 from certkit.grading.measure import NoInterval, measure
 from certkit.grading.measures import method_of
 from certkit.grading.trace import EvaluationWindow
@@ -20,6 +22,8 @@ from certkit.reporting.language_list import languages
 from certkit.reporting.report_format import FORMATS
 from certkit.reporting.writing import render
 from certkit.signals import Filtered
+from certkit.studies.factors import Factor, Uniform
+from certkit.studies.study_findings import points_of
 from tests.support.sheets import bump, criterion, recording
 from tests.support.synthetic_result import result
 
@@ -113,3 +117,40 @@ def test_the_commands_help_asks_which_formats_and_languages_a_result_has():
     for name in ("options.py", "report_command.py"):
         text = (PACKAGE / "cli" / name).read_text("utf-8")
         assert [pair for pair in pairs if pair in text] == []
+
+
+def test_designs_are_named_in_one_place():
+    words = {word.replace(" ", "_") for word in DESIGNS}
+    assert words == files("studies/designs") - {"study_design", "shares", "salib"}
+    refusals = {
+        "latin hypercube",
+        "full factorial",
+        "sobol sequence",
+    }  # a design's file says how it is refused
+    assert [
+        said
+        for said in saying(set(DESIGNS), "definitions/study.py")
+        if not said.startswith("studies/designs/") or said.split(": ")[1] not in refusals
+    ] == []
+
+
+HALTON_SEQUENCE = """
+from certkit.studies.designs.shares import at_shares
+from certkit.studies.designs.study_design import StudyDesign
+
+class HaltonSequence(StudyDesign):
+    def points(self, design, factors, correlation):
+        from scipy.stats import qmc
+
+        return at_shares(factors, qmc.Halton(len(factors), rng=design.seed).random(design.runs))
+"""
+
+
+def test_a_design_is_one_file_and_one_line(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
+    with_file(monkeypatch, design_files, tmp_path, "halton_sequence", HALTON_SEQUENCE)
+    more = MappingProxyType({**DESIGNS, "halton sequence": DesignKind(by_probability=True)})
+    monkeypatch.setattr("certkit.definitions.study.DESIGNS", more)
+    design = Design.model_construct(kind="halton sequence", runs=9, seed=1)
+    values = [float(point["a"]) for point in points_of(design, [Factor("a", "mm", Uniform(0.0, 9.0))])]
+    assert len(values) == 9
+    assert len({int(value) for value in values}) > 6

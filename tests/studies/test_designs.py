@@ -9,16 +9,14 @@ import pytest
 
 from certkit.definitions.study import StudyParameter
 from certkit.errors import UsageError
-from certkit.studies import designs
-from certkit.studies.designs import (
-    correlation_matrix,
-    full_factorial,
-    latin_hypercube,
-    one_at_a_time,
-    sobol_sequence,
-)
+from certkit.studies.designs.full_factorial import full_factorial
+from certkit.studies.designs.latin_hypercube import latin_hypercube
+from certkit.studies.designs.morris import morris_design
+from certkit.studies.designs.one_at_a_time import one_at_a_time
+from certkit.studies.designs.shares import correlation_matrix
+from certkit.studies.designs.sobol_indices import sobol_design
+from certkit.studies.designs.sobol_sequence import sobol_sequence
 from certkit.studies.factors import Factor, Levels, NormalFactor, Triangular, Uniform, factor_of
-from certkit.studies.indices import morris_design, sobol_design
 
 A = Factor("a", "mm", Uniform(0.0, 10.0), 4.0)
 B = Factor("b", "kg", NormalFactor(5.0, 0.5))
@@ -54,7 +52,8 @@ BEYOND_REASON: dict[str, Callable[[], object]] = {
 def test_a_design_beyond_reason_is_refused_before_it_is_made(
     design: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(designs, "at_shares", None)
+    for file in ("latin_hypercube", "sobol_sequence", "morris", "sobol_indices"):
+        monkeypatch.setattr(f"certkit.studies.designs.{file}.at_shares", None)
     with pytest.raises(UsageError, match=rf"{design}.* has [\d,]+ runs; more than [\d,]+ are refused"):
         BEYOND_REASON[design]()
 

@@ -17,7 +17,7 @@ from certkit.studies.calibration.parameter_space import Space, space_of
 from certkit.studies.calibration.recorded_targets import recorded_curves, recorded_goals
 from certkit.studies.calibration.search import Misfit, downhill, everywhere
 from certkit.studies.calibration.targets import Goal, distances, goals_of
-from certkit.studies.designs import check_runs
+from certkit.studies.check_runs import check_runs
 from certkit.studies.execution import USUAL, Execution
 from certkit.studies.runs import Runs
 from certkit.studies.trial import Trial
