@@ -5,16 +5,19 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 import numpy as np
 import pytest
 
+import certkit.exchange.fe.readers as reader_files
 import certkit.grading.measures as measure_files
 import certkit.reporting
 import certkit.studies.designs as design_files
+from certkit.definitions.extraction_case import Format, HistoryFiles
 from certkit.definitions.measures import MEASURES, MeasureKind
 from certkit.definitions.study import DESIGNS, Design, DesignKind
+from certkit.exchange.fe import read_case_data
 from certkit.grading.measure import NoInterval, measure
 from certkit.grading.measures import method_of
 from certkit.grading.trace import EvaluationWindow
@@ -154,3 +157,35 @@ def test_a_design_is_one_file_and_one_line(monkeypatch: pytest.MonkeyPatch, tmp_
     values = [float(point["a"]) for point in points_of(design, [Factor("a", "mm", Uniform(0.0, 9.0))])]
     assert len(values) == 9
     assert len({int(value) for value in values}) > 6
+
+
+def test_formats_of_finite_element_histories_are_named_in_one_place():
+    words = {word.replace(" ", "_").replace("-", "_") for word in get_args(Format)}
+    assert words == files("exchange/fe/readers")
+    assert saying(set(get_args(Format)), "definitions/extraction_case.py") == []
+
+
+LS_DYNA_RCFORC = """
+import numpy as np
+from certkit.exchange.fe.histories import ContactHistory, PartHistories
+
+def read(paths, section):
+    rows = [line.split() for line in paths[0].read_text().splitlines() if line.split()[:1] == ["master"]]
+    time = np.array([float(row[3]) for row in rows]) * 1e-3
+    force = np.array([float(row[5]) for row in rows]) * 1e3
+    return PartHistories(time, {}, contacts={rows[0][1]: ContactHistory(0.0 * force, force)})
+"""
+
+
+def test_a_reader_is_one_file_and_one_word(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
+    with_file(monkeypatch, reader_files, tmp_path, "ls_dyna_rcforc", LS_DYNA_RCFORC)
+    lines = [
+        f" {side} 1 time {time} x {force}"
+        for time in (0, 1)
+        for side, force in (("slave", 2), ("master", -2))
+    ]
+    (tmp_path / "rcforc").write_text("\n".join(lines))
+    section = HistoryFiles.model_construct(format="ls-dyna rcforc", files=["rcforc"])
+    contact = read_case_data(section, tmp_path).histories.contact("1")
+    assert contact.force is not None
+    assert list(contact.force) == [-2000.0, -2000.0]

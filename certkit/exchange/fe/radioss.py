@@ -10,7 +10,6 @@ Both the native file and its conversion to CSV arrive here as `Block`s of variab
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,25 +23,10 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from certkit.definitions.extraction_case import RigidBody
     from certkit.exchange.fe.radioss_channels import Channels
 
     Values = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class RigidBodyRows:
-    """What the files do not say about a rigid body.
-
-    Parameters
-    ----------
-    mass : float
-        Kilograms, from the input deck.
-    node : str
-        Name of its main node.
-    """
-
-    mass: float
-    node: str
 
 
 def impulse_of_differences(force: Values, time: Values) -> Values:
@@ -67,9 +51,7 @@ def impulse_of_differences(force: Values, time: Values) -> Values:
     return impulse
 
 
-def part_histories(
-    channels: Channels, units: Units, rigid_bodies: Mapping[str, RigidBodyRows]
-) -> PartHistories:
+def part_histories(channels: Channels, units: Units, rigid_bodies: Mapping[str, RigidBody]) -> PartHistories:
     """Turn channels in the file's units into SI part histories.
 
     Raises
@@ -115,7 +97,7 @@ def part_histories(
     )
 
 
-def _rigid(name: str, body: RigidBodyRows, channels: Channels, units: Units) -> PartHistory:
+def _rigid(name: str, body: RigidBody, channels: Channels, units: Units) -> PartHistory:
     node = channels.nodes[match_one(body.node, channels.nodes, "node", channels.source)]
     velocity = _variable(node, "VX", body.node, channels.source) * (units.length / units.time)
     displacement = _variable(node, "DX", body.node, channels.source) * units.length
@@ -124,7 +106,8 @@ def _rigid(name: str, body: RigidBodyRows, channels: Channels, units: Units) -> 
             f"{channels.source}: node `{body.node}` of rigid body `{name}` never moves; name its main "
             "node in the case"
         )
-    return PartHistory(body.mass, body.mass * velocity, displacement, displacement)
+    mass = float(body.mass)
+    return PartHistory(mass, mass * velocity, displacement, displacement)
 
 
 def _deformable(name: str, variables: Mapping[str, Values], units: Units, source: str) -> PartHistory:

@@ -7,17 +7,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
-from certkit.exchange.fe.binout import read_binout
 from certkit.exchange.fe.faces import Face, read_faces
-from certkit.exchange.fe.histories import PartHistories, PartHistory, parse_units
 from certkit.exchange.fe.node_motion import FOUND_BY_NAME, NodeMotion, read_node_motion
-from certkit.exchange.fe.radioss import RigidBodyRows, part_histories
-from certkit.exchange.fe.radioss_csv import read_converted
-from certkit.exchange.fe.radioss_native import read_native
-from certkit.exchange.fe.tidy import read_tidy
+from certkit.exchange.fe.readers import read_format
 
 if TYPE_CHECKING:
     from certkit.definitions.extraction_case import HistoryFiles
+    from certkit.exchange.fe.histories import PartHistories, PartHistory
 
 
 @dataclass(frozen=True)
@@ -56,7 +52,7 @@ def read_case_data(section: HistoryFiles, folder: Path) -> FrontData:
         For missing or damaged files, and names that lead out of the folder.
     """
     paths = [_inside(folder, name) for name in section.files]
-    histories = _histories(section, paths)
+    histories = read_format(paths, section)
     faces: dict[str, Face] = {}
     digests: dict[str, str] = {}
     if section.table is not None:
@@ -74,21 +70,6 @@ def read_case_data(section: HistoryFiles, folder: Path) -> FrontData:
         names.get(path, Path(path).name): digest for path, digest in {**histories.files, **digests}.items()
     }
     return FrontData(replace(histories, parts=parts, files=files, notes=notes), faces, motion)
-
-
-def _histories(section: HistoryFiles, paths: list[Path]) -> PartHistories:
-    if section.format == "tidy csv":
-        return read_tidy(paths, section)
-    if len(paths) != 1:
-        raise DataError(
-            f"{paths[1]}: the format `{section.format}` is read from one file; leave the others out"
-        )
-    units = parse_units(section.units)
-    rigid = {name: RigidBodyRows(float(b.mass), b.node) for name, b in section.rigid_bodies.items()}
-    if section.format == "ls-dyna binout":
-        return read_binout(paths[0], units, rigid)
-    channels = read_native(paths[0]) if section.format == "openradioss native" else read_converted(paths[0])
-    return part_histories(channels, units, rigid)
 
 
 def _motion_file(section: HistoryFiles, folder: Path) -> Path | None:

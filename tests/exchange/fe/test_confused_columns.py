@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 from certkit.errors import DataError
-from certkit.exchange.fe.binout import read_binout
 from certkit.exchange.fe.histories import parse_units
 from certkit.exchange.fe.radioss import part_histories
-from certkit.exchange.fe.radioss_csv import read_converted
-from certkit.exchange.fe.radioss_native import read_native
+from certkit.exchange.fe.readers.ls_dyna_binout import read_binout
+from certkit.exchange.fe.readers.openradioss_csv import read_converted
+from certkit.exchange.fe.readers.openradioss_native import read_native
 
 if TYPE_CHECKING:
     from collections.abc import Callable

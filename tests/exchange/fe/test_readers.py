@@ -14,8 +14,8 @@ from certkit.definitions.loading.library import load
 from certkit.errors import DataError
 from certkit.exchange.fe import parse_units, read_case_data
 from certkit.exchange.fe.radioss import impulse_of_differences, part_histories
-from certkit.exchange.fe.radioss_csv import read_converted
-from certkit.exchange.fe.radioss_native import read_native
+from certkit.exchange.fe.readers.openradioss_csv import read_converted
+from certkit.exchange.fe.readers.openradioss_native import read_native
 
 if TYPE_CHECKING:
     from certkit.exchange.fe import PartHistories
@@ -127,7 +127,7 @@ def test_without_lasso_python_a_binout_says_how_to_install_it() -> None:
     reason="needs lasso-python and genuine LS-DYNA files in $CERTKIT_LS_DYNA_FILES",
 )
 def test_genuine_binouts_without_part_sums_are_refused_by_name() -> None:
-    from certkit.exchange.fe.binout import read_binout  # noqa: PLC0415  # optional
+    from certkit.exchange.fe.readers.ls_dyna_binout import read_binout  # noqa: PLC0415  # optional
 
     folder = Path(os.environ["CERTKIT_LS_DYNA_FILES"])
     for path in sorted(p for p in folder.rglob("binout*") if p.is_file()):

@@ -9,13 +9,20 @@ import numpy as np
 
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import require_time_axis
+from certkit.exchange.fe.histories import parse_units
 from certkit.exchange.fe.numeric_table import NumericTable, read_table
+from certkit.exchange.fe.one_file import one_file
+from certkit.exchange.fe.radioss import part_histories
 from certkit.exchange.fe.radioss_channels import Channels
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from pathlib import Path
 
     from numpy.typing import NDArray
+
+    from certkit.definitions.extraction_case import HistoryFiles
+    from certkit.exchange.fe.histories import PartHistories
 
     Objects = dict[str, dict[str, NDArray[np.float64]]]
 
@@ -57,6 +64,12 @@ def _require_unshifted(table: NumericTable) -> None:
             f"{table.source}: the first {_SHIFT} columns behind the parts' are zero, as a converter "
             "leaves them that shifts by so many: convert with a newer one, or read the native file (…T01)"
         )
+
+
+def read(paths: Sequence[Path], section: HistoryFiles) -> PartHistories:
+    """Read the time history of a case."""
+    channels = read_converted(one_file(paths, section))
+    return part_histories(channels, parse_units(section.units), section.rigid_bodies)
 
 
 def read_converted(path: Path) -> Channels:

@@ -25,14 +25,16 @@ from certkit.exchange.fe.histories import (
     Units,
     distinct,
     match_one,
+    parse_units,
 )
+from certkit.exchange.fe.one_file import one_file
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from numpy.typing import NDArray
 
-    from certkit.exchange.fe.radioss import RigidBodyRows
+    from certkit.definitions.extraction_case import HistoryFiles, RigidBody
 
     Values = NDArray[np.float64]
 
@@ -41,7 +43,12 @@ _LSDA_HEADER = 8
 INSTALL = "reading binout files needs lasso-python: pip install 'certkit[binout]'"
 
 
-def read_binout(path: Path, units: Units, rigid_bodies: Mapping[str, RigidBodyRows]) -> PartHistories:
+def read(paths: Sequence[Path], section: HistoryFiles) -> PartHistories:
+    """Read the binout of a case."""
+    return read_binout(one_file(paths, section), parse_units(section.units), section.rigid_bodies)
+
+
+def read_binout(path: Path, units: Units, rigid_bodies: Mapping[str, RigidBody]) -> PartHistories:
     """Read matsum, nodout, rcforc and glstat of a binout file.
 
     Raises
@@ -66,7 +73,7 @@ def _read(
     reader: Any,  # noqa: ANN401  # lasso ships no types
     source: str,
     units: Units,
-    rigid_bodies: Mapping[str, RigidBodyRows],
+    rigid_bodies: Mapping[str, RigidBody],
     digests: dict[str, str],
 ) -> PartHistories:
     tables = set(reader.read())
@@ -204,7 +211,7 @@ def _parts(
     binout: _Binout,
     time: Values,
     units: Units,
-    rigid_bodies: Mapping[str, RigidBodyRows],
+    rigid_bodies: Mapping[str, RigidBody],
     notes: list[str],
 ) -> dict[str, PartHistory]:
     mass = binout.columns("matsum", "mass") * units.mass
@@ -223,7 +230,7 @@ def _parts(
     for k, name in enumerate(names):
         m = float(mass[0, k]) or None
         if name in rigid_bodies:
-            m = rigid_bodies[name].mass
+            m = float(rigid_bodies[name].mass)
         momentum = None if direct is None else direct[:, k]
         if m is not None and (momentum is None or (name in rigid_bodies and not np.any(momentum))):
             momentum = m * velocity[:, k]

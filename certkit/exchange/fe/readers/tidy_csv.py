@@ -12,7 +12,7 @@ from certkit.exchange.fe.histories import ContactHistory, PartHistories, PartHis
 from certkit.exchange.fe.numeric_table import NumericTable, read_table
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
+    from collections.abc import Callable, Iterator, Mapping, Sequence
     from pathlib import Path
 
     from numpy.typing import NDArray
@@ -37,13 +37,13 @@ LEG_CHANNELS = {
 """Channel of the leg → its column, where a file has it, and the column's dimension."""
 
 
-def read_tidy(paths: list[Path], mapping: HistoryFiles) -> PartHistories:
+def read(paths: Sequence[Path], section: HistoryFiles) -> PartHistories:
     """Read tidy CSV files that share one time axis.
 
     Parameters
     ----------
-    paths : list of Path
-    mapping : Histories
+    paths : sequence of Path
+    section : HistoryFiles
         The case's section that names the columns.
 
     Raises
@@ -51,7 +51,7 @@ def read_tidy(paths: list[Path], mapping: HistoryFiles) -> PartHistories:
     DataError
         For damaged tables, time axes that differ, columns that are missing or whose unit does not fit.
     """
-    columns = _Columns(paths, mapping.time)
+    columns = _Columns(paths, section.time)
     parts = {
         name: PartHistory(
             mass=None if spec.mass is None else float(spec.mass),
@@ -59,21 +59,21 @@ def read_tidy(paths: list[Path], mapping: HistoryFiles) -> PartHistories:
             displacement=columns.get(spec.displacement, star, "length"),
             front=columns.get(spec.front, star, "length"),
         )
-        for name, spec, star in columns.expanded(mapping.parts, _key_of_part)
+        for name, spec, star in columns.expanded(section.parts, _key_of_part)
     }
     contacts = {
         name: ContactHistory(
             columns.require(spec.impulse, star, "momentum"), columns.get(spec.force, star, "force")
         )
-        for name, spec, star in columns.expanded(mapping.contacts, lambda c: c.impulse)
+        for name, spec, star in columns.expanded(section.contacts, lambda c: c.impulse)
     }
     springs = {
         name: SpringHistory(
             columns.require(spec.force, star, "force"), columns.get(spec.shortening, star, "length")
         )
-        for name, spec, star in columns.expanded(mapping.springs, lambda c: c.force)
+        for name, spec, star in columns.expanded(section.springs, lambda c: c.force)
     }
-    nodes = {name: columns.require(column, "", "length") for name, column in mapping.nodes.items()}
+    nodes = {name: columns.require(column, "", "length") for name, column in section.nodes.items()}
     leg = {
         name: columns.require(column, "", dimension)
         for name, (column, dimension) in LEG_CHANNELS.items()
@@ -98,7 +98,7 @@ def _key_of_part(spec: PartColumns) -> str:
 class _Columns:
     """All columns of all files, found by name, with their units."""
 
-    def __init__(self, paths: list[Path], time: str) -> None:
+    def __init__(self, paths: Sequence[Path], time: str) -> None:
         self._tables = [read_table(path) for path in paths]
         self.source = ", ".join(t.source for t in self._tables)
         self.files = {t.source: t.digest for t in self._tables}

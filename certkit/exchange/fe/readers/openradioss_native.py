@@ -20,15 +20,20 @@ import numpy as np
 
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes, require_finite, require_time_axis
-from certkit.exchange.fe.histories import distinct
+from certkit.exchange.fe.histories import distinct, parse_units
 from certkit.exchange.fe.numeric_table import plain
+from certkit.exchange.fe.one_file import one_file
+from certkit.exchange.fe.radioss import part_histories
 from certkit.exchange.fe.radioss_channels import Channels
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator, Mapping, Sequence
     from pathlib import Path
 
     from numpy.typing import NDArray
+
+    from certkit.definitions.extraction_case import HistoryFiles
+    from certkit.exchange.fe.histories import PartHistories
 
     Variables = dict[str, NDArray[np.float64]]
 
@@ -115,6 +120,12 @@ class _Records:
         return DataError(
             f"{self._source}: the file ends inside the record at byte {self._at}; it was cut: copy it again"
         )
+
+
+def read(paths: Sequence[Path], section: HistoryFiles) -> PartHistories:
+    """Read the time history of a case."""
+    channels = read_native(one_file(paths, section))
+    return part_histories(channels, parse_units(section.units), section.rigid_bodies)
 
 
 def read_native(path: Path) -> Channels:
