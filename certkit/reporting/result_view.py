@@ -16,6 +16,7 @@ from certkit.reporting.margins import margin_words, nearest_words, tally, worst
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from certkit.definitions.bibliography import Work
     from certkit.documents.result import CriterionResult, PreconditionResult, Result
     from certkit.reporting.svg import Drawing
     from certkit.reporting.vehicle_front_view import FrontView
@@ -87,6 +88,20 @@ class View:
     specimen: list[tuple[str, str]]
     numbers: list[NumberGroup]
     number_sources: list[str]
+
+    @cached_property
+    def works(self) -> dict[str, Work]:
+        """The works that sources name, by their short names, each with its full entry."""
+        from certkit.reporting.works_cited import works_cited  # noqa: PLC0415  # only where it is printed
+
+        return works_cited(self.result)
+
+    @cached_property
+    def own_work(self) -> str:
+        """What numbers without a work rest on."""
+        from certkit.reporting.works_cited import own_work  # noqa: PLC0415  # likewise
+
+        return own_work(self.result)
 
     @property
     def conditions(self) -> list[PreconditionResult]:

@@ -139,6 +139,12 @@ _ALL = (
         "uncertainty_budget:UncertaintyBudget",
         "examples/uncertainty",
     ),
+    Kind(
+        "bibliography",
+        "works that sources point into",
+        "bibliography:Bibliography",
+        "references/bibliography",
+    ),
     Kind("laboratory", "who tested what, when, with which sensors", "laboratory:Laboratory"),
     Kind("mapping", "how a laboratory's files become channels", "channel_mapping:Mapping"),
     Kind("scheme", "how impact points add up to a judgement of a car", "scheme:Scheme", "schemes"),

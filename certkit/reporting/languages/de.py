@@ -84,6 +84,8 @@ WORDS = MappingProxyType(
         "Notes": "Anmerkungen",
         "Number": "Zahl",
         "Numbers": "Zahlen",
+        "Sources": "Quellen",
+        "Read:": "Gelesen:",
         "Numbers that went in": "Eingegangene Zahlen",
         "Numbers that went in, and where they come from": "Eingegangene Zahlen und ihre Herkunft",
         "Numerical quality": "Numerische Güte",

@@ -84,6 +84,8 @@ WORDS = MappingProxyType(
         "Notes": "注記",
         "Number": "数値",
         "Numbers": "数値",
+        "Sources": "出典",
+        "Read:": "参照範囲:",
         "Numbers that went in": "使用した数値",
         "Numbers that went in, and where they come from": "使用した数値とその出典",
         "Numerical quality": "数値計算の品質",
