@@ -6,7 +6,9 @@ from importlib import import_module
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from certkit.errors import MissingPartError
 from certkit.files import write_whole
+from certkit.reporting.left_out import leave_out
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -18,6 +20,8 @@ CAMPAIGN_FILES = MappingProxyType(
     {
         "csv": ("campaign.csv", "certkit.reporting.campaign_csv:campaign_csv"),
         "junit": ("junit.xml", "certkit.reporting.campaign_junit:campaign_junit"),
+        "xlsx": ("campaign.xlsx", "certkit.reporting.campaign_xlsx:campaign_xlsx"),
+        "pptx": ("campaign.pptx", "certkit.reporting.campaign_pptx:campaign_pptx"),
         "html": ("campaign.html", "certkit.reporting.campaign_page:campaign_page"),
     }
 )
@@ -30,7 +34,11 @@ def render_campaign(document: CampaignReport, out: Path, formats: Collection[str
     for name, (file, home) in CAMPAIGN_FILES.items():
         if name in formats:
             module, _, function = home.partition(":")
-            content = getattr(import_module(module), function)(document)
+            try:
+                content = getattr(import_module(module), function)(document)
+            except MissingPartError as error:
+                leave_out(file, error)
+                continue
             write_whole(out / file, content)
             written.append(out / file)
     return written

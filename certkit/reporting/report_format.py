@@ -20,6 +20,8 @@ FORMATS = MappingProxyType(
         "csv": "certkit.reporting.csv_report",
         "junit": "certkit.reporting.junit",
         "md": "certkit.reporting.markdown",
+        "xlsx": "certkit.reporting.xlsx_report",
+        "pptx": "certkit.reporting.pptx_report",
         "html": "certkit.reporting.html_report",
         "pdf": "certkit.reporting.pdf_report",
     }
