@@ -256,13 +256,13 @@ def _files_of(document: OutputDocument, old: Mapping[str, Any], folder: Path) ->
     if not folder.is_dir():
         return []
     stem = Path(document.file_name).stem
-    names = {document.file_name, f"{stem}.html", f"{stem}.pdf"}
+    names = {document.file_name, *(f"{stem}.{ending}" for ending in ("html", "pdf", "xlsx", "pptx"))}
     if stem == "result":
         from certkit.reporting.report_format import FORMATS  # noqa: PLC0415  # only where there is an old result
 
         names |= {str(import_module(module).FILE) for module in FORMATS.values()}
     if stem == "campaign":
-        names |= {"campaign.csv", "campaign.xlsx", "campaign.pptx", "junit.xml"}
+        names |= {"campaign.csv", "junit.xml"}
     if stem == "extraction":
         names.add("vehicle.yaml")
     if stem in {"study", "optimum"}:
@@ -286,6 +286,6 @@ def _is_fitted(path: Path) -> bool:
 
 def _is_page_of(page: Path, document: OutputDocument) -> bool:
     """Tell whether a page without its document is one of this very document: it says the id."""
-    if page.suffix == ".pdf":
+    if page.suffix in {".pdf", ".xlsx", ".pptx"}:
         return page.with_suffix(".html").is_file()  # which is looked at in its turn
     return page.is_file() and document.id.encode() in page.read_bytes()

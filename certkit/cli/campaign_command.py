@@ -20,7 +20,9 @@ def campaign(
     out: options.Out = None,
     formats: Annotated[
         str,
-        typer.Option("--format", help="Separated by commas: html, csv, junit. The JSON is always written."),
+        typer.Option(
+            "--format", help="Separated by commas: html, csv, junit, xlsx, pptx. The JSON is always written."
+        ),
     ] = "html,csv,junit",
     force: options.Force = False,
     library: options.Libraries = None,

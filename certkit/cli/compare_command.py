@@ -41,7 +41,7 @@ def compare(
     until: Until = None,
     out: CompareOut = None,
     formats: Annotated[
-        str, typer.Option("--format", help="`html`, or `none`. The JSON is always written.")
+        str, typer.Option("--format", help="`html`, `xlsx`, `pptx`, or `none`. The JSON is always written.")
     ] = "html",
     force: options.Force = False,
     library: options.Libraries = None,

@@ -50,6 +50,14 @@ def report(
             help="Sign the PDFs with this PKCS #12 key; its passphrase is taken from CERTKIT_PASSPHRASE.",
         ),
     ] = None,
+    template: Annotated[
+        Path | None,
+        typer.Option(
+            "--template",
+            metavar="FILE.pptx",
+            help="Look of the slides: a presentation of your own. For all commands: CERTKIT_PPTX_TEMPLATE.",
+        ),
+    ] = None,
     unverified: options.Unverified = False,
     force: options.Force = False,
     title: Annotated[str, typer.Option("--title", help="Title of a suite.")] = "Certification suite",
@@ -59,6 +67,7 @@ def report(
     from certkit.bench.result_folder import distinct_names, folder_name  # noqa: PLC0415  # likewise
     from certkit.documents.document_kinds import read_documents  # noqa: PLC0415  # likewise
     from certkit.documents.result import Result  # noqa: PLC0415  # likewise
+    from certkit.reporting.slide_deck import on_template  # noqa: PLC0415  # likewise
 
     wanted = None if formats is None else [name.strip() for name in formats.split(",") if name.strip()]
     documents = [
@@ -68,24 +77,26 @@ def report(
     # Pages of a list of overviews have names of their own; those of several results are all called alike.
     apart = len(results) > 1 or sum(isinstance(document, Result) for _, document in documents) > 1
     written: list[Path] = []
-    for (path, document), name in zip(documents, names, strict=True):
-        folder = path.parent if out is None else out / name if apart else out
-        written += render_pages(
-            document, folder, wanted, paper=paper.value, language=language, sign=sign, force=force
-        )
-    tests = [document for _, document in documents if isinstance(document, Result)]
-    if len(tests) > 1:
-        written += render_suite(
-            tests,
-            results[0].parent.parent if out is None else out,
-            wanted or ["html", "pdf"],
-            title=title,
-            paper=paper.value,
-            language=language,
-            sign=sign,
-            force=force,
-        )
+    with on_template(template):
+        for (path, document), name in zip(documents, names, strict=True):
+            folder = path.parent if out is None else out / name if apart else out
+            written += render_pages(
+                document, folder, wanted, paper=paper.value, language=language, sign=sign, force=force
+            )
+        tests = [document for _, document in documents if isinstance(document, Result)]
+        if len(tests) > 1:
+            written += render_suite(
+                tests,
+                results[0].parent.parent if out is None else out,
+                wanted or ["html", "pdf"],
+                title=title,
+                paper=paper.value,
+                language=language,
+                sign=sign,
+                force=force,
+            )
     for path in written:
         typer.echo(f"wrote {path}", err=True)
-    if wanted and "pdf" in wanted and not any(path.suffix == ".pdf" for path in written):
+    endings = {path.suffix.lstrip(".") for path in written}
+    if any(each in (wanted or ()) and each not in endings for each in ("pdf", "xlsx", "pptx")):
         raise typer.Exit(RunError.exit_code)  # asked for by name, and a remark has said why it is missing

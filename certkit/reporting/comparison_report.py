@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.files import write_whole
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.lines import lines_chart
+from certkit.reporting.named_files import Files, write_named
 from certkit.reporting.plaintext import aligned
 from certkit.reporting.static_page import static_page
 
@@ -18,19 +18,16 @@ if TYPE_CHECKING:
     from certkit.reporting.svg import Drawing
 
 
-def render_comparison(document: ComparisonDocument, out: Path, formats: Collection[str]) -> list[Path]:
-    """Write `comparison.html` when it is wanted.
+COMPARISON_FILES: Files = {
+    "xlsx": ("comparison.xlsx", "certkit.reporting.comparison_xlsx:comparison_xlsx"),
+    "pptx": ("comparison.pptx", "certkit.reporting.comparison_pptx:comparison_pptx"),
+    "html": ("comparison.html", "certkit.reporting.comparison_report:comparison_page"),
+}
 
-    Returns
-    -------
-    list of Path
-        What was written.
-    """
-    if "html" not in formats:
-        return []
-    path = out / "comparison.html"
-    write_whole(path, comparison_page(document))
-    return [path]
+
+def render_comparison(document: ComparisonDocument, out: Path, formats: Collection[str]) -> list[Path]:
+    """Write the wanted reports, and return what was written."""
+    return write_named(document, out, formats, COMPARISON_FILES)
 
 
 def comparison_page(document: ComparisonDocument) -> str:

@@ -45,6 +45,7 @@ class DocumentReport:
 
 
 _PAPER = ("html", "pdf")
+_OFFICE = ("xlsx", "pptx")
 
 REPORTS = {
     "certkit-result/1": DocumentReport(
@@ -53,12 +54,14 @@ REPORTS = {
         _PAPER,
         takes_paper=True,
     ),
-    "certkit-comparison/1": DocumentReport("certkit.reporting.comparison_report:render_comparison"),
+    "certkit-comparison/1": DocumentReport(
+        "certkit.reporting.comparison_report:render_comparison", ("html", *_OFFICE)
+    ),
     "certkit-extraction/1": DocumentReport(
         "certkit.reporting.extraction_report:render_extraction", _PAPER, _PAPER
     ),
     "certkit-campaign/1": DocumentReport(
-        "certkit.reporting.campaign_files:render_campaign", ("html", "csv", "junit")
+        "certkit.reporting.campaign_files:render_campaign", ("html", "csv", "junit", *_OFFICE)
     ),
     "certkit-study/1": DocumentReport("certkit.reporting.study_pages:render_study"),
     "certkit-optimum/1": DocumentReport("certkit.reporting.study_pages:render_optimum"),

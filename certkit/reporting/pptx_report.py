@@ -40,7 +40,7 @@ def write(views: Sequence[View], *, title: str | None, paper: str) -> bytes:
 
 def _result(deck: SlideDeck, view: View) -> None:
     result = view.result
-    verdict = f"{result.verdict.upper()}: {view.meaning}"
+    verdict = f"{result.verdict.upper()}: {view.meaning or view.nearest_words}"
     deck.title(
         result.title, [verdict, view.tally, f"Certificate {result.id}, {result.kind}", *result.remarks]
     )

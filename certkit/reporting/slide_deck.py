@@ -16,7 +16,7 @@ from certkit.errors import MissingPartError, UsageError
 from certkit.exchange.csv_cells import harmless
 from certkit.plain_text import without_odd_characters
 from certkit.reporting.palette import PENS, VERDICT
-from certkit.reporting.workbook import Tinted
+from certkit.reporting.workbook import Tinted, shown
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -92,10 +92,11 @@ class SlideDeck:
             left, top, width, height = self._area()
             tall = min(height, (len(part) + 1) * 330000)
             table = slide.shapes.add_table(len(part) + 1, len(heads), left, top, width, tall).table
+            for column, share in enumerate(_widths([heads, *part])):
+                table.columns[column].width = int(share * width)
             for line, cells in enumerate([heads, *part]):
                 for column, cell in enumerate(cells):
-                    value, colour = cell if isinstance(cell, Tinted) else (cell, "")
-                    text = f"{value:.5g}" if isinstance(value, int | float) else value or ""
+                    text, colour = shown(cell), cell.colour if isinstance(cell, Tinted) else ""
                     frame = table.cell(line, column).text_frame
                     _words(
                         frame.paragraphs[0], text, 11, colour=colour or VERDICT.get(text, ""), bold=line == 0
@@ -151,7 +152,8 @@ class SlideDeck:
         shape.text_frame.word_wrap = True
         shape.text_frame.text = without_odd_characters(title)
         if self._own:
-            _look(shape.text_frame.paragraphs[0], 28, "#16202c", bold=True)
+            _look(shape.text_frame.paragraphs[0], 26, "#16202c", bold=True)
+            shape.text_frame.paragraphs[0].alignment = _part("pptx.enum.text").PP_ALIGN.LEFT
         return slide
 
     def _area(self) -> tuple[int, int, int, int]:
@@ -183,6 +185,9 @@ class SlideDeck:
             if words:
                 axis.axis_title.text_frame.text = without_odd_characters(words)
         chart.category_axis.has_major_gridlines = False
+        chart.category_axis.tick_label_position = _part("pptx.enum.chart").XL_TICK_LABEL_POSITION.LOW
+        chart.value_axis.has_major_gridlines = True
+        chart.value_axis.major_gridlines.format.line.color.rgb = _rgb("#d5dbe1")
 
 
 def _part(name: str) -> Any:  # noqa: ANN401  # python-pptx has types for half of what it does
@@ -191,6 +196,12 @@ def _part(name: str) -> Any:  # noqa: ANN401  # python-pptx has types for half o
         return import_module(name)
     except ImportError as error:
         raise MissingPartError("it needs python-pptx; install it with `pip install certkit[pptx]`") from error
+
+
+def _widths(rows: Sequence[Sequence[Cell]]) -> list[float]:
+    """Return the share of the width that each column takes, by its longest text."""
+    longest = [max(min(30, len(shown(row[i]))) + 2 for row in rows) for i in range(len(rows[0]))]
+    return [letters / sum(longest) for letters in longest]
 
 
 def _words(paragraph: Any, text: str, size: int, *, colour: str = "", bold: bool = False) -> None:  # noqa: ANN401  # likewise

@@ -114,7 +114,7 @@ class SheetBook:
             for column, cell in enumerate(row):
                 self._write(sheet, line, column, cell, number)
         for column, text in enumerate(heads):
-            longest = max([len(text), *(len(_shown(row[column])) for row in rows if column < len(row))])
+            longest = max([len(text), *(len(shown(row[column])) for row in rows if column < len(row))])
             sheet.set_column(column, column, min(60.0, longest + 2.5))
         sheet.freeze_panes(head + 1, 1)
         if rows:
@@ -217,6 +217,7 @@ class SheetBook:
         return self._forms[role, more]
 
 
-def _shown(cell: Cell) -> str:
+def shown(cell: Cell) -> str:
+    """Return a cell as a text."""
     value = cell.value if isinstance(cell, Tinted) else cell
     return f"{value:.5g}" if isinstance(value, int | float) else value or ""
