@@ -5,15 +5,34 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Generator
 from pathlib import Path
 
 import pytest
 from support.command import Command
+from support.missing_parts import PANGO, excuse, pango_is_missing, skipped
 from support.pendulum_recording import pendulum_like
 
 from certkit.exchange.channels_csv import write_csv
 from certkit.exchange.mme_write import write_mme
 from certkit.signals import Recording
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Skip what needs a PDF where none can be set."""
+    if item.get_closest_marker("pdf") and pango_is_missing():
+        pytest.skip(PANGO)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Skip what turned out to need a PDF, in a test or in a fixture."""
+    report = yield
+    if report.failed and call.excinfo is not None and (reason := excuse(call.excinfo.value)):
+        skipped(report, item, reason)
+    return report
 
 
 @pytest.fixture

@@ -26,7 +26,7 @@ from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import Loaded, load, names
 from certkit.definitions.loading.lint import kind_in
 from certkit.definitions.loading.parameter_list import parameters
-from certkit.definitions.loading.search_path import ENDINGS
+from certkit.definitions.loading.search_path import is_path
 from certkit.definitions.loading.validation import read_bytes
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.errors import UsageError
@@ -215,8 +215,8 @@ def open_confirmation(
 
 
 def _load(definition: str | Path, kind: str | None, library: tuple[Path, ...]) -> Loaded[BaseModel]:
-    path = Path(definition)
-    if isinstance(definition, Path) or path.suffix in ENDINGS or len(path.parts) > 1:
+    if isinstance(definition, Path) or is_path(definition):
+        path = Path(definition)
         found = kind or kind_in(read_tree(read_bytes(path), str(path))).word
         return load(found, path, library=library)
     kinds = [known.word for known in KINDS.values() if definition in _names_of(known, library)]

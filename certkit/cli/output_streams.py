@@ -42,7 +42,9 @@ class OutputStream:
         self.lost: OSError | None = None
         reconfigure = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
-            reconfigure(errors="replace")
+            # Windows would write what goes into a file as cp1252, which no reader of JSON or YAML takes.
+            into_file = plain and sys.platform == "win32" and "PYTHONIOENCODING" not in os.environ
+            reconfigure(errors="replace", **({"encoding": "utf-8"} if into_file else {}))
 
     def write(self, text: str) -> int:
         """Write, or drop what cannot be written."""

@@ -178,7 +178,8 @@ def finish(folder: Path) -> None:
 def _is_inside(name: str) -> bool:
     """Tell whether a name stays in the folder: the list could be somebody else's."""
     path = PurePosixPath(name)
-    return bool(path.parts) and not path.is_absolute() and ".." not in path.parts and "\\" not in name
+    plain = not {"\\", ":"} & set(name)  # no way elsewhere on Windows: `C:name` is on that drive
+    return plain and bool(path.parts) and not path.is_absolute() and ".." not in path.parts
 
 
 def _short(name: str) -> str:

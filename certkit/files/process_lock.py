@@ -51,6 +51,8 @@ def locked(path: Path, waiting: Callable[[], None] = lambda: None) -> Iterator[N
             yield
         finally:
             lock.release()
+            with suppress(OSError):  # who waits has it open, and keeps it there
+                path.unlink(missing_ok=True)
         return
     descriptor = _held(path, waiting)
     try:

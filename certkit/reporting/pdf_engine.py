@@ -9,7 +9,8 @@ from __future__ import annotations
 import gc
 import warnings
 import zlib
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
+from io import StringIO
 from typing import TYPE_CHECKING, Any
 
 from certkit.errors import MissingPartError
@@ -78,7 +79,9 @@ def weasyprint() -> Any:  # noqa: ANN401  # the module has no types
         When the Pango library that it draws text with is missing; says how to install it.
     """
     try:
-        import weasyprint as module  # noqa: PLC0415  # 1.1 s that only a PDF needs
+        # It tells of a missing library on standard output, in six lines of its own.
+        with redirect_stdout(StringIO()):
+            import weasyprint as module  # noqa: PLC0415  # 1.1 s that only a PDF needs
     except OSError as error:
         raise MissingPartError(
             "the PDF needs the Pango library, which is not installed; on Debian and Ubuntu: "

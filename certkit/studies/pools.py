@@ -12,7 +12,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from importlib import import_module
 from itertools import islice
-from multiprocessing import get_context
+from multiprocessing import get_all_start_methods, get_context
 from typing import TYPE_CHECKING, Any, Protocol
 
 from certkit.errors import RunError, UsageError
@@ -21,6 +21,7 @@ from certkit.studies.points import Evaluate, Outcome, attempt
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
+    from multiprocessing.context import BaseContext
 
     from certkit.studies.worker import Done, Task
 
@@ -117,12 +118,11 @@ class Processes:
         self._pool = None
 
     def _start(self, count: int) -> ProcessPoolExecutor:
-        # A server that has imported everything and started nothing forks the workers: as quick as a fork of
-        # this process, and safe beside the threads it may have.
-        context = get_context("forkserver")
-        context.set_forkserver_preload(["certkit.studies.worker", type(self._evaluate).__module__])
         return ProcessPoolExecutor(
-            count, mp_context=context, initializer=worker.arrive, initargs=(self._evaluate,)
+            count,
+            mp_context=_context(type(self._evaluate).__module__),
+            initializer=worker.arrive,
+            initargs=(self._evaluate,),
         )
 
     def _one_by_one(self, suspects: list[Task]) -> Iterator[Done]:
@@ -137,6 +137,20 @@ class Processes:
                 except BrokenProcessPool:
                     done = [(task[0], Outcome({}, DIED))]
             yield from done
+
+
+def _context(module: str) -> BaseContext:
+    """Return how workers are started.
+
+    A server that has imported everything and started nothing forks the workers: as quick as a fork of this
+    process, and safe beside the threads it may have. Where nothing can be forked, as on Windows, every worker
+    imports for itself.
+    """
+    if "forkserver" not in get_all_start_methods():
+        return get_context("spawn")
+    context = get_context("forkserver")
+    context.set_forkserver_preload(["certkit.studies.worker", module])
+    return context
 
 
 class Cluster:

@@ -53,8 +53,8 @@ def test_ones_own_definitions_are_listed_instead_of_shipped_ones(certkit: Comman
 
 
 def test_show_prints_the_file_itself_to_begin_from(certkit: Command, tmp_path: Path):
-    (tmp_path / "ours.yaml").write_text(certkit("show", "flex-pli-gtr", "--file").stdout)
-    assert "\nlegform: flex-pli-gtr\n" in (tmp_path / "ours.yaml").read_text()
+    (tmp_path / "ours.yaml").write_text(certkit("show", "flex-pli-gtr", "--file").stdout, "utf-8")
+    assert "\nlegform: flex-pli-gtr\n" in (tmp_path / "ours.yaml").read_text("utf-8")
     assert certkit("validate", "ours.yaml").returncode == 0
 
 

@@ -30,6 +30,7 @@ def _without_clock(text: str) -> object:
     return document
 
 
+@pytest.mark.pdf
 @pytest.mark.slow
 def test_all_procedures_write_every_file_of_the_contract_twice_the_same(
     certkit: Command, tmp_path: Path
@@ -58,6 +59,7 @@ def test_standard_output_is_the_document_alone_with_json(certkit: Command, tmp_p
     assert (tmp_path / "runs" / "static-tibia" / "result.json").read_text() == done.stdout
 
 
+@pytest.mark.pdf
 def test_a_report_is_rendered_again_from_the_json_alone(certkit: Command, tmp_path: Path) -> None:
     certkit("run", "--procedure", "static-tibia", "--out", "first")
     (tmp_path / "elsewhere").mkdir()

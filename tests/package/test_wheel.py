@@ -36,6 +36,7 @@ def test_the_data_folders_of_the_checkout_travel_in_the_wheel(wheel: Path) -> No
         assert not missing
 
 
+@pytest.mark.pdf
 @pytest.mark.slow
 def test_an_installed_wheel_runs_a_procedure_from_another_folder(wheel: Path, tmp_path: Path) -> None:
     place = tmp_path / "clean"

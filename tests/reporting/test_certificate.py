@@ -14,7 +14,6 @@ from typing import Any, Self
 
 import pikepdf
 import pytest
-import weasyprint
 from support import synthetic_result
 
 from certkit.documents.result import Result
@@ -157,6 +156,7 @@ def test_another_day_gives_the_same_bytes(monkeypatch: pytest.MonkeyPatch):
     assert certificate(unique_views([synthetic_result.static_result()])) == first
 
 
+@pytest.mark.pdf
 def test_another_process_gives_the_same_bytes(tmp_path: Path):
     code = (
         "import sys; sys.path.insert(0, sys.argv[1]); from support import synthetic_result;"
@@ -210,7 +210,7 @@ def test_the_default_paper_is_a4(pdf: pikepdf.Pdf):
 
 
 def test_nothing_outside_the_fonts_folder_is_fetched():
-    fetcher = typesetting._fetcher(weasyprint)
+    fetcher = typesetting._fetcher(typesetting.weasyprint())
     outside = (typesetting.folder().parent / "pyproject.toml").as_uri()
     climbing = (typesetting.folder() / "fonts").as_uri() + "/../certificate.html.j2"
     for address in ("https://example.org/x.png", outside, climbing, "data:text/html,x"):

@@ -35,7 +35,7 @@ def called(*words: object) -> str:
 @pytest.fixture
 def sheet(tmp_path: Path) -> Path:
     path = tmp_path / "small.yaml"
-    path.write_text(STUDY)
+    path.write_text(STUDY, "utf-8")
     return path
 
 
@@ -44,18 +44,18 @@ def test_a_study_writes_its_table_its_findings_and_its_page(sheet: Path, tmp_pat
         "study", sheet, "--out", tmp_path / "out", "--processes", 1, "--table", "csv,json,parquet"
     )
     assert "pendulum/T1" in printed
-    with (tmp_path / "out/table.csv").open(newline="") as stream:
+    with (tmp_path / "out/table.csv").open(newline="", encoding="utf-8") as stream:
         rows = list(csv.DictReader(stream))
     assert len(rows) == 4
     assert {"inverse/rig.ram.speed [m/s]", "inverse/T1 margin [N·m]", "pendulum/MCL [mm]"} <= set(rows[0])
-    table = json.loads((tmp_path / "out/table.json").read_text())
+    table = json.loads((tmp_path / "out/table.json").read_text("utf-8"))
     # The same numbers to the last bit, and the inverse test alone feels its ram.
     for row, written in zip(table["rows"], rows, strict=True):
         assert row["pendulum/T1"] == float(written["pendulum/T1 [N·m]"])
         assert row["pendulum/verdict"] == "pass"
-    findings = json.loads((tmp_path / "out/study.json").read_text())
+    findings = json.loads((tmp_path / "out/study.json").read_text("utf-8"))
     assert findings["failed"] == 0
-    assert (tmp_path / "out/study.html").read_text().startswith("<!DOCTYPE html>")
+    assert (tmp_path / "out/study.html").read_text("utf-8").startswith("<!DOCTYPE html>")
     pandas = pytest.importorskip("pandas")
     pytest.importorskip("pyarrow")
     stored = pandas.read_parquet(tmp_path / "out/table.parquet")
@@ -76,10 +76,11 @@ def test_a_run_that_fails_is_a_row_with_its_error(tmp_path: Path) -> None:
     path.write_text(
         "study: failing\ntitle: Some runs fail\nprocedures: [inverse]\n"
         "parameters:\n  - {path: run.time step, values: [20 µs, 1000 µs]}\n"
-        "design: {kind: full factorial}\n"
+        "design: {kind: full factorial}\n",
+        "utf-8",
     )
     called("study", path, "--out", tmp_path / "out", "--processes", 1)
-    rows = json.loads((tmp_path / "out/table.json").read_text())["rows"]
+    rows = json.loads((tmp_path / "out/table.json").read_text("utf-8"))["rows"]
     assert rows[0]["error"] == ""
     assert "ran away" in rows[1]["error"]
     assert rows[1]["inverse/T1"] is None
@@ -98,7 +99,7 @@ def test_a_run_that_fails_is_a_row_with_its_error(tmp_path: Path) -> None:
 def test_a_study_that_makes_no_sense_is_refused_before_anything_is_run(
     sheet: Path, tmp_path: Path, old: str, new: str, error: type[Exception], message: str
 ) -> None:
-    sheet.write_text(STUDY.replace(old, new))
+    sheet.write_text(STUDY.replace(old, new), "utf-8")
     with pytest.raises(error, match=message):
         called("study", sheet, "--out", tmp_path / "out")
     assert not (tmp_path / "out").exists()
@@ -135,8 +136,8 @@ def test_a_calibration_writes_a_legform_that_can_be_run(tmp_path: Path) -> None:
     )
     printed = called("calibrate", path, "--out", tmp_path / "out", "--processes", 1)
     assert "inverse/MCL" in printed
-    report = json.loads((tmp_path / "out/fit.json").read_text())
+    report = json.loads((tmp_path / "out/fit.json").read_text("utf-8"))
     assert report["rms_after"] <= report["rms_before"]
     shown = called("show", tmp_path / "out/flex-pli-gtr.yaml")
     assert "fit one-number to inverse" in shown
-    assert "one-number" in (tmp_path / "out/fit.html").read_text()
+    assert "one-number" in (tmp_path / "out/fit.html").read_text("utf-8")

@@ -229,7 +229,7 @@ def test_a_dask_cluster_gives_the_same_table_and_outlives_a_worker() -> None:
     distributed = pytest.importorskip("distributed")
     with Runs(toys.slow_wave, Execution(processes=1)) as here:
         expected = here(POINTS[:40])
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster:
         victim = next(iter(cluster.workers.values()))
         with Runs(toys.slow_wave, Execution(cluster=cluster.scheduler_address)) as there:
             there.progress = lambda done, *_: os.kill(victim.pid, signal.SIGKILL) if done == 10 else None

@@ -22,7 +22,14 @@ from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS, Kind, kind_of
 from certkit.definitions.loading.old_forms import modernised
 from certkit.definitions.loading.overrides import Change, Overrides, change
-from certkit.definitions.loading.search_path import ENDINGS, FolderShelf, Found, Shelf, is_name, shipped_shelf
+from certkit.definitions.loading.search_path import (
+    FolderShelf,
+    Found,
+    Shelf,
+    is_name,
+    is_path,
+    shipped_shelf,
+)
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.errors import DefinitionError, OldFormWarning, UsageError
@@ -212,7 +219,7 @@ def parse(
 def find(kind: Kind, name: str | Path, library: Library = ()) -> Found:
     """Find a definition's file without reading it into a document; see `load`."""
     path = Path(name)
-    if isinstance(name, Path) or path.suffix in ENDINGS or len(path.parts) > 1:
+    if isinstance(name, Path) or is_path(name):
         return Found(_shown(path), read_bytes(path), str(path))
     searched = search_order(library)
     for shelf in searched:

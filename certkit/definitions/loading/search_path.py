@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.resources import files
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Protocol
 
 from certkit.definitions.loading.kinds import KINDS
@@ -163,6 +163,12 @@ def is_name(text: str) -> bool:
     """Tell whether a text is a plain name, which leads to no other folder and to no particular file."""
     plain = _NAME.fullmatch(text) is not None and _DEVICE.fullmatch(text) is None
     return plain and ".." not in text and not text.endswith((*ENDINGS, ".", " "))
+
+
+def is_path(text: str, flavour: type[PurePath] = PurePath) -> bool:
+    """Tell whether a text names a file by its path: with an ending of ours, a folder or a drive in it."""
+    path = flavour(text)
+    return path.suffix in ENDINGS or len(path.parts) > 1 or bool(path.drive)
 
 
 @lru_cache(maxsize=1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.corridor_set import CorridorSet
@@ -11,7 +12,7 @@ from certkit.definitions.loading.kinds import KINDS, kind_of
 from certkit.definitions.loading.library import load, names
 from certkit.definitions.loading.lint import kind_in
 from certkit.definitions.loading.parameter_list import ListedParameter, parameters
-from certkit.definitions.loading.search_path import ENDINGS
+from certkit.definitions.loading.search_path import is_path
 from certkit.definitions.loading.validation import read_bytes
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.definitions.procedure import Procedure
@@ -98,9 +99,7 @@ def sheet(
 
 
 def _kind_with(name: str, library: Library) -> str:
-    if "/" in name or name.endswith(ENDINGS):
-        from pathlib import Path  # noqa: PLC0415  # only here
-
+    if is_path(name):
         return kind_in(read_tree(read_bytes(Path(name)), name)).word
     known = {kind.word: names(kind.word, library) for kind in KINDS.values() if kind.folder}
     having = [word for word, there in known.items() if name in there]
