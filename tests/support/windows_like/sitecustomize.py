@@ -1,8 +1,8 @@
 """A Python that lacks what Windows lacks, and writes text as Windows does: put this folder on PYTHONPATH.
 
-Gone are `fcntl` and its like, `fork` and the pools made by it, POSIX-only calls, flags and signals. Files that
-are opened as text without an encoding are taken as cp1252, and lines end with CRLF. Python's own machinery,
-which starts and ends processes, keeps what it has taken before.
+Gone are `fcntl` and its like, `fork` and the pools made by it, POSIX-only calls, flags and signals.
+Files that are opened as text without an encoding are taken as cp1252, and lines end with CRLF. Python's
+own machinery, which starts and ends processes, keeps what it has taken before.
 """
 
 from __future__ import annotations
