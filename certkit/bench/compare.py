@@ -66,7 +66,7 @@ def compare(  # noqa: PLR0913  # as many as `certkit compare` has options
         load_source(source, own, lenient=lenient, library=library, unverified=unverified) for source in (a, b)
     )
     sheet = _procedure(procedure, (first, second), library)
-    if first.recording.kind == "simulated" and second.recording.kind == "measured":
+    if first.recording.kind != "measured" and second.recording.kind == "measured":
         first, second = second, first
     labels = _labels(first, second)
     document = side_by_side(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from certkit.bench.laboratory_terms import header_contradictions, merged_conditions, read_laboratory
 from certkit.bench.setup import prepare, without_model
+from certkit.bench.virtual_test_terms import energies_of, virtual_test_terms
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
@@ -16,7 +17,7 @@ from certkit.documents.result import InputFile
 from certkit.errors import DataError
 from certkit.exchange.read import read_recording
 from certkit.files.limits import MAX_CARRIED_VALUES
-from certkit.grading import NO_LABORATORY, evaluate, measure_all
+from certkit.grading import NO_LABORATORY, SimulatedTerms, evaluate, measure_all
 from certkit.reasons import Reason
 from certkit.reporting.language import worded
 
@@ -38,14 +39,17 @@ def grade(
     library: Library = (),
     overrides: Overrides | None = None,
 ) -> Result:
-    """Grade a recorded test: a test evaluation, or a virtual certification when the recording was simulated.
+    """Grade a recorded test: a test evaluation, or a virtual test when it is a finite-element run.
+
+    A recording that certkit simulated and exported stays a virtual certification.
 
     Parameters
     ----------
     procedure : str or Path
         Name that the library knows, or a file.
     data : str or Path
-        ISO-MME folder, archive or `.mme` file, CSV file, or the folder of a run with its `channels.csv`.
+        ISO-MME folder, archive or `.mme` file, CSV file, the folder of a run with its `channels.csv`, or a
+        finite-element run: its folder, binout, T01 or table, with a `mapping` that says what is what.
     laboratory : str or Path, optional
         `lab.yaml`: header, sensors, decision rule, uncertainties, conditions; with the file that it shares.
         Where it has `numbering`, the report's number is entered in its register.
@@ -85,10 +89,13 @@ def grade(
     made_by = read.header.get("procedure", setup.procedure.procedure)
     if made_by != setup.procedure.procedure:
         odd.append(Reason.of("recorded-by-other-procedure", made=made_by, graded=setup.procedure.procedure))
+    if recording.kind == "virtual":
+        lab = virtual_test_terms(lab, setup.procedure, recording, own, library)
     result = evaluate(
         measure_all(setup.procedure, recording, lenient=lenient),
         setup.terms(*files, *mapping_input, *lab.inputs),
         laboratory=lab,
+        simulated=SimulatedTerms(energies=energies_of(recording, read.energies)),
         notes=[*odd, *(Reason.words(text) for text in (*setup.remarks, *header))],
     )
     return worded(result)

@@ -9,8 +9,11 @@ from certkit.bench.fit_origins import fits_of, fitted_to, on_bounds
 from certkit.bench.laboratory_files import ROLE, laboratory_of
 from certkit.bench.laboratory_terms import laboratory_terms
 from certkit.bench.setup import prepare, without_model
+from certkit.bench.virtual_test_terms import virtual_test_terms
+from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.search_path import TextShelf
+from certkit.definitions.loading.validation import validate
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.channel_curves import recording_of
 from certkit.errors import DataError, OldFormWarning
@@ -87,15 +90,29 @@ def regrade(result: Result) -> Result:
     """
     setup = carried_setup(result)
     channels = setup.legform.channel_table
+    recording = recording_of(result, table=channels)
+    laboratory = _laboratory(result, channels)
+    if recording.kind == "virtual":
+        shelf = embedded_shelf(result)
+        mapping = carried_mapping(result, channels)
+        laboratory = virtual_test_terms(laboratory, setup.procedure, recording, mapping, (shelf,))
     # What was let pass then is let pass now, and listed in the document's notes.
-    measured = measure_all(setup.procedure, recording_of(result, table=channels), lenient=True)
+    measured = measure_all(setup.procedure, recording, lenient=True)
     again = evaluate(
         measured,
         GradingTerms(setup.corridors, result.provenance, setup.reference, setup.parameters),
         simulated=_simulated_terms(result, setup),
-        laboratory=_laboratory(result, channels),
+        laboratory=laboratory,
     )
     return worded(again)
+
+
+def carried_mapping(result: Result, channels: ChannelTable) -> Mapping | None:
+    """Return the mapping that a result carries; None where it was graded without one."""
+    for item in result.provenance.inputs:
+        if item.role == "mapping" and item.text is not None:
+            return validate(read_tree(item.text, item.path), Mapping, channels=channels)
+    return None
 
 
 def _simulated_terms(result: Result, setup: Setup) -> SimulatedTerms:

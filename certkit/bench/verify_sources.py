@@ -7,14 +7,12 @@ import re
 from typing import TYPE_CHECKING
 
 from certkit.bench.compare_documents import differences
-from certkit.bench.regrade import carried_setup
+from certkit.bench.regrade import carried_mapping, carried_setup
 from certkit.bench.verification import Check, fails, holds, left_out, unchecked
 from certkit.bench.verify_document import of_another_certkit
-from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import parse
 from certkit.definitions.loading.search_path import Found, is_name, shipped_shelf
-from certkit.definitions.loading.validation import validate
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.channel_curves import raw_channels
 from certkit.errors import CertkitError
@@ -51,8 +49,8 @@ def source_checks(result: Result, data: Sequence[Path]) -> Iterator[Check]:
     for path in data:
         what = f"recording {path.name}"
         try:
-            mapping = _mapping(result)
             tables = (carried_setup(result).legform.channel_table,)
+            mapping = carried_mapping(result, tables[0])
             read = read_recording(path, mapping, lenient=True, tables=tables)
         except CertkitError as error:
             yield unchecked(what, "source-unreadable", error=" ".join(str(error).split()))
@@ -81,15 +79,6 @@ def _channel_checks(what: str, result: Result, recording: Recording) -> Iterator
             yield fails(what, "channels-of-source-differ", channel=name)
             return
     yield holds(what, "source-same")
-
-
-def _mapping(result: Result) -> Mapping | None:
-    for item in result.provenance.inputs:
-        if item.role == "mapping" and item.text is not None:
-            return validate(
-                read_tree(item.text, item.path), Mapping, channels=carried_setup(result).legform.channel_table
-            )
-    return None
 
 
 def definition_checks(result: Result) -> Iterator[Check]:

@@ -1,4 +1,4 @@
-"""`certkit grade`: grade a measured test with the procedure that a simulated one is graded with."""
+"""`certkit grade`: a measured test or a finite-element run, by the procedure that simulated tests have."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Data = Annotated[
     list[Path],
     typer.Argument(
         metavar="DATA",
-        help="ISO-MME folder, .zip or .mme file, or a CSV file. Several are graded one by one.",
+        help="ISO-MME folder, .zip or .mme file, CSV file, or a finite-element run. Several go one by one.",
     ),
 ]
 Procedure = Annotated[
@@ -61,12 +61,13 @@ def grade(
     quiet: options.Quiet = False,
     verbose: options.Verbose = False,
 ) -> None:
-    """Grade a measured test and write its report.
+    """Grade a measured test or a finite-element run and write its report.
 
     `certkit grade --procedure pendulum DATA --lab lab.yaml` checks the preconditions first, then conditions,
-    filters and measures the channels as it does for a simulated test. The exit code is the verdict's. Several
-    recordings of one name are told apart by the folders they lie in. A folder that holds another result is
-    refused, unless `--force` is given; without `--out` the next free `runs/NAME-2` is taken.
+    filters and measures the channels as it does for a simulated test. The exit code is the verdict's. A
+    finite-element run (binout, T01, tables) needs a mapping that says which of its histories are channels.
+    Several recordings of one name are told apart by the folders they lie in. A folder that holds another
+    result is refused, unless `--force` is given; without `--out` the next free `runs/NAME-2` is taken.
     """
     from certkit.bench.grade_measurement import grade as grade_test  # noqa: PLC0415  # numpy waits
     from certkit.bench.render_documents import render  # noqa: PLC0415  # likewise

@@ -12,6 +12,7 @@ from certkit.definitions.loading.channel_tables import channels_in
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.units import UNITS
+from certkit.definitions.virtual_test import FiniteElements
 
 Filter = Literal["none", "CFC 60", "CFC 180", "CFC 600", "CFC 1000"]
 Sign = Literal[1, -1]
@@ -116,4 +117,15 @@ class Mapping(Document):
     source: str = ""
     csv: CsvLayout | None = None
     mme: MmeTable = MmeTable()
+    finite_elements: Annotated[
+        FiniteElements | None, Field(description="Of a finite-element run: a virtual test.")
+    ] = None
     conditions: Annotated[dict[str, str], Field(description="Conditions the files do not tell.")] = {}
+
+    @model_validator(mode="after")
+    def _known_channels_of_the_run(self, info: ValidationInfo) -> Self:
+        if self.finite_elements is not None:
+            faults = _unknown("channels", self.finite_elements.channels, info)
+            if faults:
+                raise Faults([(("finite elements", *path), said) for path, said in faults])
+        return self

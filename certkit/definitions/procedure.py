@@ -100,7 +100,13 @@ class Precondition(Sourced):
     quantity: str
     dimension: str
     within: Annotated[list[str], Field(min_length=2, max_length=2)]
-    applies_to: Literal["measured", "simulated", "both"] = "measured"
+    applies_to: Annotated[
+        Literal["measured", "simulated", "virtual", "both"],
+        Field(
+            description="`virtual`: a finite-element run, of which `measured` is asked too, except the "
+            "room's temperature, humidity and soak time."
+        ),
+    ] = "measured"
     required: Annotated[bool, Field(description="False: checked when it was recorded, else only named.")] = (
         True
     )

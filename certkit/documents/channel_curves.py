@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,8 +18,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.definitions.channels import ChannelTable, Dimension
+    from certkit.documents.result import Kind as ResultKind
     from certkit.documents.result import Result
     from certkit.signals import Filtered
+    from certkit.signals.recording import Kind
 
 MOST_POINTS = 600
 """Points of a drawn curve; a page is about as many pixels wide."""
@@ -99,6 +101,14 @@ def raw_channels(recording: Recording) -> Histories | None:
     )
 
 
+RECORDED: dict[ResultKind, Kind] = {
+    "virtual certification": "simulated",
+    "virtual test": "virtual",
+    "test evaluation": "measured",
+}
+"""Kind of a recording by the kind of the document that was made from it."""
+
+
 def recording_of(result: Result, source: str | None = None, table: ChannelTable | None = None) -> Recording:
     """Return the recording that a result document carries, so that it can be graded again.
 
@@ -125,12 +135,9 @@ def recording_of(result: Result, source: str | None = None, table: ChannelTable 
         values = np.array(series.values) / dimension.scale
         seen = "" if series.filter == "none" else series.filter
         channels[name] = Channel(name, series.title, dimension, values, filtered=seen)
-    kind: Literal["simulated", "measured"] = (
-        "simulated" if result.kind == "virtual certification" else "measured"
-    )
     time = carried.start + carried.interval * np.arange(carried.count, dtype=np.float64)
     return Recording(
-        kind,
+        RECORDED[result.kind],
         time,
         channels,
         conditions=dict(result.conditions),

@@ -17,7 +17,7 @@ class Side(Part):
     """One of the two tests."""
 
     label: Annotated[str, Field(description="As the user named it.")]
-    kind: Literal["simulated", "measured"]
+    kind: Literal["simulated", "measured", "virtual"]
     title: str = ""
     procedure: str = ""
     verdict: Verdict | None = None

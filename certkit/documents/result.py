@@ -108,6 +108,8 @@ class PreconditionResult(Part):
     reason: str = ""
     coded_reason: Reason | None = None
     required: Annotated[bool, Field(description="False: a missing value does not matter.")] = True
+    confidence: Annotated[Confidence | None, Field(description="Of the limit, where it is told.")] = None
+    source: str = ""
 
 
 class ScoreResult(Part):

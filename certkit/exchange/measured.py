@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    import numpy as np
+    from numpy.typing import NDArray
+
     from certkit.exchange.conditions import Told
     from certkit.reasons import Reason
     from certkit.signals.recording import Recording
@@ -37,6 +40,8 @@ class MeasuredData:
         What the container says of the test: laboratory, title, date. Not trusted, only shown.
     told : mapping of str to Told
         The recording's conditions with the places that tell them.
+    energies : mapping of str to ndarray
+        Of a finite-element run: its energies on the recording's time axis, J.
     """
 
     recording: Recording
@@ -44,3 +49,4 @@ class MeasuredData:
     assumptions: tuple[Reason, ...] = ()
     header: Mapping[str, str] = field(default_factory=dict)
     told: Mapping[str, Told] = field(default_factory=dict)
+    energies: Mapping[str, NDArray[np.float64]] = field(default_factory=dict)

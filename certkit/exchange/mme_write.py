@@ -160,7 +160,7 @@ def _channel(recording: Recording, channel: Channel, code: str) -> str:
         _line("Time of first sample", f"{recording.time[0]:.9g}"),
         _line("Number of samples", str(recording.time.size)),
         _line("Reference channel", "implicit"),
-        _line("Data source", "simulation" if recording.kind == "simulated" else "transducer"),
+        _line("Data source", "transducer" if recording.kind == "measured" else "simulation"),
         _line("Data status", "ok"),
     ]
     values = channel.values * channel.dimension.scale

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.errors import DataError
 from certkit.exchange.csv_read import read_csv
 from certkit.exchange.mme_read import read_mme
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
     from pathlib import Path
 
     from certkit.definitions.channel_mapping import Mapping
@@ -24,7 +25,7 @@ def read_recording(
     lenient: bool = False,
     tables: Sequence[ChannelTable] = (),
 ) -> MeasuredData:
-    """Read a measured test: an ISO-MME folder, zip archive or `.mme` file, or a CSV file.
+    """Read a measured test (ISO-MME folder, zip archive or `.mme` file, CSV file) or a finite-element run.
 
     Parameters
     ----------
@@ -44,11 +45,26 @@ def read_recording(
     """
     if not path.exists():
         raise DataError(f"{path}: there is no such file or folder; check the name")
+    if mapping is not None and mapping.finite_elements is not None:
+        from certkit.exchange.fe.read_run import read_run  # noqa: PLC0415  # few read finite elements
+
+        table = _legform(mapping.finite_elements.channels, tables or (default_channels(),))
+        return read_run(path, mapping, mapping.finite_elements, table)
     if path.is_dir() or path.suffix.lower() in {".zip", ".mme"}:
         return read_mme(path, mapping, lenient=lenient, tables=tables)
     if path.suffix.lower() in {".csv", ".txt", ".tsv"} or (mapping and mapping.csv):
         return read_csv(path, mapping, lenient=lenient, tables=tables)
+    if path.name.startswith("binout") or path.name.removesuffix(".gz").endswith("T01"):
+        raise DataError(
+            f"{path}: a finite-element run; say with --mapping which of its histories are channels (`finite "
+            "elements`)"
+        )
     raise DataError(
         f"{path}: not an ISO-MME folder, .zip or .mme, and not a .csv file; name one of these, or use "
         "--mapping"
     )
+
+
+def _legform(names: Collection[str], tables: Sequence[ChannelTable]) -> ChannelTable:
+    """Return the legform that most of the names are channels of; the first of equals."""
+    return max(tables, key=lambda known: sum(name in known.kinds for name in names))

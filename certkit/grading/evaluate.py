@@ -32,6 +32,15 @@ if TYPE_CHECKING:
     from certkit.documents.result import CriterionResult, Kind
     from certkit.grading.measure_all import Measurements
     from certkit.reasons import Reason
+    from certkit.signals.recording import Kind as RecordingKind
+
+
+KINDS: dict[RecordingKind, Kind] = {
+    "simulated": "virtual certification",
+    "virtual": "virtual test",
+    "measured": "test evaluation",
+}
+"""Kind of the document by the kind of the recording."""
 
 
 def evaluate(
@@ -73,7 +82,7 @@ def evaluate(
     )
     criteria = [grade_criterion(c, measured.values[c.id], judgement) for c in procedure.criteria]
     preconditions = [*grade_preconditions(procedure.preconditions, recording), *laboratory.checks]
-    kind: Kind = "virtual certification" if recording.kind == "simulated" else "test evaluation"
+    kind: Kind = KINDS[recording.kind]
     sound = {c.id: c for c in criteria if measured.values[c.id].doubt is None}
     scores, unscored = procedure_scores(procedure.score, terms.corridors, sound, recording.table)
     comparison = None if terms.reference is None else compare(terms.reference, criteria)
@@ -110,7 +119,7 @@ def evaluate(
         verdict=verdict,
         coded_remarks=[*said, *unscored],
         method=procedure.method.words,
-        specimen=_specimen(procedure, simulated, laboratory),
+        specimen=_specimen(kind, procedure, simulated, laboratory),
         coded_decision_rule=laboratory.decision.reason,
         criteria=criteria,
         preconditions=preconditions,
@@ -148,14 +157,16 @@ def grade_criteria(measured: Measurements, corridors: Mapping[str, CorridorSet])
     return [grade_criterion(c, measured.values[c.id], judgement) for c in measured.procedure.criteria]
 
 
-def _specimen(procedure: Procedure, simulated: SimulatedTerms, laboratory: LaboratoryTerms) -> dict[str, str]:
+def _specimen(
+    kind: Kind, procedure: Procedure, simulated: SimulatedTerms, laboratory: LaboratoryTerms
+) -> dict[str, str]:
     """Say what was on the rig; a simulated leg's title or the laboratory's serial number tells more."""
     specimen = {
         "legform": procedure.specimen.legform,
         "part": procedure.specimen.part,
         "flesh": procedure.specimen.flesh,
     }
-    if procedure.vehicle is not None:
+    if procedure.vehicle is not None and kind == "virtual certification":
         specimen["vehicle"] = procedure.vehicle
     if simulated.legform:
         specimen["legform"] = simulated.legform

@@ -15,8 +15,12 @@ if TYPE_CHECKING:
 
     from certkit.definitions.procedure import Precondition
     from certkit.signals import Recording
+    from certkit.signals.recording import Kind
 
 KELVIN = 273.15
+
+OF_A_LABORATORY = frozenset({"temperature", "humidity", "soak time"})
+"""Conditions of a laboratory's room, which a finite-element run does not have."""
 
 
 def grade_preconditions(
@@ -35,8 +39,15 @@ def grade_preconditions(
     return [
         _grade(precondition, recording.conditions.get(precondition.quantity))
         for precondition in preconditions
-        if precondition.applies_to in {"both", recording.kind}
+        if _applies(precondition, recording.kind)
     ]
+
+
+def _applies(precondition: Precondition, kind: Kind) -> bool:
+    """Tell whether a precondition is asked of a recording; of a finite-element run all but the room's are."""
+    if kind == "virtual" and precondition.applies_to == "measured":
+        return precondition.quantity not in OF_A_LABORATORY
+    return precondition.applies_to in {"both", kind}
 
 
 def _grade(precondition: Precondition, value: float | None) -> PreconditionResult:

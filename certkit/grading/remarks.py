@@ -62,6 +62,7 @@ def remarks(
         if c.verdict in {"not evaluated", "conditional"} and c.coded_reason is not None
     ]
     said += oddities
+    said += _run_limits(preconditions)
     said += _confidence(graded)
     shown = [criterion.id for criterion in criteria if not criterion.graded]
     if shown and graded:
@@ -135,6 +136,18 @@ def _confidence(graded: Iterable[CriterionResult]) -> list[Reason]:
             by_confidence.setdefault(criterion.confidence, []).append(criterion.id)
     return [
         Reason.of(f"rests-on-{confidence}", criteria=names)
+        for confidence, names in sorted(by_confidence.items())
+    ]
+
+
+def _run_limits(preconditions: Sequence[PreconditionResult]) -> list[Reason]:
+    """Say what the limits of a finite-element run's quality rest on, unless all were read in a text."""
+    by_confidence: dict[Confidence, list[str]] = {}
+    for row in preconditions:
+        if row.confidence is not None and row.confidence != "verified":
+            by_confidence.setdefault(row.confidence, []).append(row.quantity)
+    return [
+        Reason.of("run-limits-rest-on", confidence=confidence, quantities=names)
         for confidence, names in sorted(by_confidence.items())
     ]
 

@@ -2,7 +2,8 @@
 
 It is a pipeline of plain functions: each step takes a recording and returns one, with a note of what it
 did. Filtering is not among them: every criterion names its own filter (`certkit.signals.filtered`).
-Simulated recordings need none of this and pass through unchanged, except for the noise window.
+Simulated recordings need none of this and pass through unchanged, except for the noise window; of a
+finite-element run only time axis and signs are looked at.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from certkit.definitions.procedure import Procedure
-    from certkit.signals.recording import Channel, Recording
+    from certkit.signals.recording import Channel, Kind, Recording
 
 SETTLED = 0.005
 """Seconds after the end of what is evaluated from which on the filters carry nothing back into it."""
@@ -88,9 +89,8 @@ def condition(recording: Recording, procedure: Procedure, *, lenient: bool = Fal
         lenient=lenient,
         until=None if procedure.run.until is None else float(procedure.run.until),
     )
-    if recording.kind == "measured":
-        for step in MEASURED_STEPS:
-            recording = step(recording, situation)
+    for step in STEPS[recording.kind]:
+        recording = step(recording, situation)
     return noise_noted(recording, situation)
 
 
@@ -233,6 +233,13 @@ MEASURED_STEPS: tuple[Callable[[Recording, Situation], Recording], ...] = (
     offset_free,
     right_way_round,
 )
+
+
+STEPS: dict[Kind, tuple[Callable[[Recording, Situation], Recording], ...]] = {
+    "measured": MEASURED_STEPS,
+    "virtual": (uniform, right_way_round),
+    "simulated": (),
+}
 
 
 def _each_finite(recording: Recording, change: Callable[[Channel], Channel]) -> Recording:

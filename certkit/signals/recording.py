@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from certkit.definitions.channels import ChannelTable, Dimension
     from certkit.reasons import Reason
 
-Kind = Literal["simulated", "measured"]
+Kind = Literal["simulated", "measured", "virtual"]
 
 
 def _shipped() -> ChannelTable:
@@ -57,8 +57,9 @@ class Recording:
 
     Parameters
     ----------
-    kind : {'simulated', 'measured'}
-        Which of the two it is: the title of the certificate depends on it.
+    kind : {'simulated', 'measured', 'virtual'}
+        Simulated here, measured in a laboratory, or computed by finite elements: the title of the certificate
+        depends on it.
     time : ndarray, shape (n,)
         Seconds, uniform steps. Static tests have one sample a load level; their time is the level's end.
     channels : mapping of str to Channel

@@ -60,6 +60,16 @@ REASONS = MappingProxyType(
         "no-calibration-certificate": (
             "An evaluation of a measured test; not a calibration certificate of the legform."
         ),
+        # Of a finite-element run.
+        "run-resampled": "Brought to even steps of {interval:.4g} ms by linear interpolation.",
+        "run-without-contact": "No contact force was read: time zero is the run's own.",
+        "run-does-not-tell": (
+            "{quantity} is not known: the run does not tell it, and the mapping's `conditions` neither"
+        ),
+        "run-outside": "{quantity} is {value:.4g} {unit}, outside {limits}",
+        "run-limits-rest-on": "Limits of {quantities:and} are {confidence:word}.",
+        "model-not-certified": "the mapping names no certification of the legform model {model}",
+        "model-certified": "{model}: {certification}",
         "score-set-not-found": "Scores are not given: the set `{set}` was not found.",
         "score-set-for-other": "Scores are not given: `{set}` is for the {impactor}.",
         "score-not-measured": "Score {score} is not given: {criteria:list} not measured.",

@@ -61,12 +61,19 @@ def read_binout(path: Path, units: Units, rigid_bodies: Mapping[str, RigidBody])
     # LSDA goes on in files of this name; the reader joins them, so they belong to what was read.
     rest = sorted(path.parent.glob(f"{escape(path.name)}%[0-9]*")) if path.suffix != ".gz" else []
     digests = {source: digest, **{str(part): read_bytes(part)[1] for part in rest}}
-    if len(content) < _LSDA_HEADER or content[0] != _LSDA_HEADER:
+    if not is_lsda(content):
         raise DataError(
             f"{source}: this is no LSDA container; a binout starts with its header length 8: name the binout"
         )
     with tempfile.TemporaryDirectory(prefix="certkit-") as folder:
-        return _read(_open(path, content, rest, Path(folder), source), source, units, rigid_bodies, digests)
+        return _read(
+            open_binout(path, content, rest, Path(folder), source), source, units, rigid_bodies, digests
+        )
+
+
+def is_lsda(content: bytes) -> bool:
+    """Tell whether a file's content is an LSDA container, which a binout is."""
+    return len(content) >= _LSDA_HEADER and content[0] == _LSDA_HEADER
 
 
 def _read(
@@ -80,7 +87,7 @@ def _read(
     if "matsum" not in tables:
         have = ", ".join(sorted(tables)) or "nothing"
         raise DataError(f"{source}: there is no matsum (only {have}); request *DATABASE_MATSUM")
-    binout = _Binout(reader, source)
+    binout = BinoutTables(reader, source)
     time = binout.array("matsum", "time") * units.time
     require_time_axis(time, source)
     notes = ["displacements of centres of gravity are integrals of the parts' velocities"]
@@ -105,15 +112,15 @@ def _read(
     )
 
 
-def _nodes(binout: _Binout, time: Values, units: Units) -> dict[str, Values]:
-    at = binout.times("nodout", time[-1], units.time)
+def _nodes(binout: BinoutTables, time: Values, units: Units) -> dict[str, Values]:
+    at = binout.times("nodout", units.time, until=time[-1])
     moved = binout.columns("nodout", "x_displacement") * units.length
     names = binout.legend("nodout", moved.shape[1])
     return {name: np.interp(time, at, moved[:, k]) for k, name in enumerate(names)}
 
 
-def _energies(binout: _Binout, time: Values, units: Units) -> dict[str, Values]:
-    at = binout.times("glstat", time[-1], units.time)
+def _energies(binout: BinoutTables, time: Values, units: Units) -> dict[str, Values]:
+    at = binout.times("glstat", units.time, until=time[-1])
     return {
         kind: np.interp(time, at, binout.array("glstat", f"{kind}_energy")) * units.energy
         for kind in ("kinetic", "internal")
@@ -121,7 +128,7 @@ def _energies(binout: _Binout, time: Values, units: Units) -> dict[str, Values]:
     }
 
 
-def _open(path: Path, content: bytes, rest: list[Path], folder: Path, source: str) -> Any:  # noqa: ANN401  # lasso ships no types
+def open_binout(path: Path, content: bytes, rest: list[Path], folder: Path, source: str) -> Any:  # noqa: ANN401  # lasso ships no types
     """Open exactly these files: lasso takes brackets in a path for a pattern, and reads no `.gz`."""
     try:
         from lasso.dyna import Binout  # noqa: PLC0415  # optional, heavy
@@ -143,24 +150,42 @@ def _open(path: Path, content: bytes, rest: list[Path], folder: Path, source: st
         ) from None
 
 
-class _Binout:
+class BinoutTables:
     """Tables of a binout file as plain two-dimensional arrays."""
 
     def __init__(self, reader: Any, source: str) -> None:  # noqa: ANN401  # lasso ships no types
         self._reader, self._source = reader, source
 
+    def tables(self) -> list[str]:
+        """Return the names of all tables; those of `elout` stand one level down."""
+        found = []
+        for name in self._reader.read():
+            inner = [each for each in self._reader.read(name) if name == "elout"]
+            found += [f"{name}/{each}" for each in inner] or [name]
+        return found
+
+    def has_table(self, table: str) -> bool:
+        """Tell whether there is a table of that name, such as `secforc` or `elout/beam`."""
+        return table in self.tables()
+
     def has(self, table: str, name: str) -> bool:
-        return name in self._reader.read(table)
+        """Tell whether a table has a variable."""
+        return name in self._reader.read(*table.split("/"))
+
+    def ids(self, table: str) -> list[int]:
+        """Return the ids of a table's objects."""
+        return [int(i) for i in np.atleast_1d(self.array(table, "ids")).ravel()]
 
     def array(self, table: str, name: str) -> Values:
+        """Return a variable of a table as it stands there."""
         if not self.has(table, name):
             raise DataError(
                 f"{self._source}: {table} has no `{name}`; is the file whole? Copy it again, or "
                 "request it from the solver"
             )
         try:
-            values = np.asarray(self._reader.read(table, name), dtype=np.float64)
-        except Exception as error:  # noqa: BLE001  # see _open
+            values = np.asarray(self._reader.read(*table.split("/"), name), dtype=np.float64)
+        except Exception as error:  # noqa: BLE001  # see open_binout
             raise DataError(
                 f"{self._source}: {table}/{name} cannot be read ({error}); copy the file again"
             ) from None
@@ -182,7 +207,7 @@ class _Binout:
         ids = np.atleast_1d(self.array(table, "ids")).astype(int)
         names = {int(i): str(int(i)) for i in ids}
         if self.has(table, "legend"):
-            text = str(self._reader.read(table, "legend"))
+            text = str(self._reader.read(*table.split("/"), "legend"))
             titled = np.atleast_1d(self.array(table, "legend_ids")).astype(int)
             for width in _LEGEND_WIDTHS:
                 if titled.size and len(text) == width * titled.size:
@@ -195,11 +220,11 @@ class _Binout:
         known = distinct(names.items())
         return [known[int(i)] for i in ids]
 
-    def times(self, table: str, until: float, scale: float) -> Values:
-        """Return a table's own times in seconds, which must reach those of matsum."""
+    def times(self, table: str, scale: float, *, until: float | None = None) -> Values:
+        """Return a table's own times in seconds, which must reach `until`, the end of matsum."""
         times = self.array(table, "time") * scale
         require_time_axis(times, f"{self._source}: {table}")
-        if times[-1] + 1.01 * float(np.diff(times).max()) < until:
+        if until is not None and times[-1] + 1.01 * float(np.diff(times).max()) < until:
             raise DataError(
                 f"{self._source}: {table} ends at {times[-1]:g} s, matsum at {until:g} s; the file was cut "
                 "or goes on in another one: name a whole binout"
@@ -208,7 +233,7 @@ class _Binout:
 
 
 def _parts(
-    binout: _Binout,
+    binout: BinoutTables,
     time: Values,
     units: Units,
     rigid_bodies: Mapping[str, RigidBody],
@@ -239,8 +264,8 @@ def _parts(
     return parts
 
 
-def _contacts(binout: _Binout, time: Values, units: Units) -> dict[str, ContactHistory]:
-    at = binout.times("rcforc", time[-1], units.time)
+def _contacts(binout: BinoutTables, time: Values, units: Units) -> dict[str, ContactHistory]:
+    at = binout.times("rcforc", units.time, until=time[-1])
     force = binout.columns("rcforc", "x_force") * units.force
     names = binout.legend("rcforc", force.shape[1])
     contacts: dict[str, ContactHistory] = {}

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     Variables = dict[str, NDArray[np.float64]]
 
-_GLOBALS: tuple[str, ...] = (
+GLOBALS: tuple[str, ...] = (
     "internal",
     "kinetic",
     "x momentum",
@@ -47,46 +47,54 @@ _GLOBALS: tuple[str, ...] = (
     "time step",
     "rotation",
 )
-_GLOBALS += ("external work", "spring", "contact", "hourglass")
-_ENERGIES = frozenset(_GLOBALS) - {"x momentum", "y momentum", "z momentum", "mass", "time step"}
+GLOBALS += ("external work", "spring", "contact", "hourglass")
+_ENERGIES = frozenset(GLOBALS) - {"x momentum", "y momentum", "z momentum", "mass", "time step"}
+GLOBALS += ("elastic contact", "frictional contact", "damping contact", "plastic work", "added mass")
 _PART_VARIABLES = {
     1: "IE", 2: "KE", 3: "XMOM", 4: "YMOM", 5: "ZMOM", 6: "MASS", 7: "HE", 9: "XCG", 10: "YCG", 11: "ZCG",
     29: "VX", 30: "VY", 31: "VZ",
 }  # fmt: skip
-_NODE_GROUP, _CONTACT_GROUP = 0, 101
-_GROUP_VARIABLES = {
-    _NODE_GROUP: ("DX", "DY", "DZ", "VX", "VY", "VZ"),
-    _CONTACT_GROUP: ("FNX", "FNY", "FNZ", "FTX", "FTY", "FTZ"),
+NODE_GROUP, CONTACT_GROUP = 0, 101
+GROUP_VARIABLES = {
+    NODE_GROUP: ("DX", "DY", "DZ", "VX", "VY", "VZ"),
+    CONTACT_GROUP: ("FNX", "FNY", "FNZ", "FTX", "FTY", "FTZ"),
 }
 _TITLE_AT_CODE_40 = range(3000, 3041)
 _MOST_OBJECTS = 100_000
 
 
 @dataclass(frozen=True)
-class _Group:
+class ObjectGroup:
+    """Objects of one kind with their variables, as the directory announces them."""
+
     kind: int
     names: tuple[str, ...]
     variables: tuple[int, ...]
+    ids: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
-class _Directory:
+class HistoryDirectory:
+    """What every instant of the file holds, in the order of its records."""
+
     globals_: tuple[int, ...]
     parts: tuple[tuple[str, tuple[int, ...]], ...]
     subset_width: int
-    groups: tuple[_Group, ...]
+    groups: tuple[ObjectGroup, ...]
 
 
-class _Records:
+class FortranRecords:
     """The file's records one after the other, each checked by the lengths around it."""
 
     def __init__(self, content: bytes, source: str) -> None:
         self._content, self._source, self._at = content, source, 0
 
     def __bool__(self) -> bool:
+        """Tell whether a record is left."""
         return self._at < len(self._content)
 
     def next(self) -> bytes:
+        """Return the next record without its lengths."""
         at, content = self._at, self._content
         if at + 4 > len(content):
             raise self._cut()
@@ -109,6 +117,7 @@ class _Records:
         return content[at + 4 : end]
 
     def integers(self) -> tuple[int, ...]:
+        """Return the next record as whole numbers."""
         record = self.next()
         if len(record) % 4:
             raise DataError(
@@ -138,35 +147,35 @@ def read_native(path: Path) -> Channels:
     """
     content, digest = read_bytes(path)
     source = str(path)
-    records = _Records(content, source)
+    records = FortranRecords(content, source)
     try:
-        directory = _directory(records, source)
+        directory = read_directory(records, source)
     except struct.error:
         raise DataError(
             f"{source}: a record of the directory is too short; the file is damaged; copy it again"
         ) from None
-    time, data = _instants(records, directory, source)
+    time, data = read_instants(records, directory, source)
     require_time_axis(time, source)
     columns = iter(data.T)
     energies = {
-        _GLOBALS[number - 1]: values
+        GLOBALS[number - 1]: values
         for number, values in zip(directory.globals_, columns, strict=False)
-        if number <= len(_GLOBALS) and _GLOBALS[number - 1] in _ENERGIES
+        if number <= len(GLOBALS) and GLOBALS[number - 1] in _ENERGIES
     }
     parts = {name: _named(variables, columns, _PART_VARIABLES) for name, variables in directory.parts}
     for _ in range(directory.subset_width):
         next(columns)
-    objects: dict[int, dict[str, Variables]] = {_NODE_GROUP: {}, _CONTACT_GROUP: {}}
+    objects: dict[int, dict[str, Variables]] = {NODE_GROUP: {}, CONTACT_GROUP: {}}
     for group in directory.groups:
-        names = dict(enumerate(_GROUP_VARIABLES.get(group.kind, ()), 1))
+        names = dict(enumerate(GROUP_VARIABLES.get(group.kind, ()), 1))
         for name in group.names:
             objects.setdefault(group.kind, {})[name] = _named(group.variables, columns, names)
-    for kind in (parts, objects[_NODE_GROUP], objects[_CONTACT_GROUP]):
+    for kind in (parts, objects[NODE_GROUP], objects[CONTACT_GROUP]):
         for name, known in kind.items():
             for variable, values in known.items():
                 require_finite(values, f"{name} {variable}", source)
     return Channels(
-        time, energies, parts, objects[_CONTACT_GROUP], objects[_NODE_GROUP],
+        time, energies, parts, objects[CONTACT_GROUP], objects[NODE_GROUP],
         impulses=True, source=source, digest=digest,
     )  # fmt: skip
 
@@ -179,7 +188,8 @@ def _named(
     return {names[number]: np.ascontiguousarray(v) for number, v in taken.items() if number in names}
 
 
-def _directory(records: _Records, source: str) -> _Directory:
+def read_directory(records: FortranRecords, source: str) -> HistoryDirectory:
+    """Read what stands before the first instant."""
     title = records.next()
     code = struct.unpack_from(">i", title)[0] if len(title) >= 4 else 0
     if code not in _TITLE_AT_CODE_40:
@@ -225,7 +235,7 @@ def _directory(records: _Records, source: str) -> _Directory:
     names = distinct(titles)
     if len(names) < len(titles):
         raise DataError(f"{source}: two parts have one id; the file is damaged: write it again")
-    return _Directory(
+    return HistoryDirectory(
         globals_,
         tuple((names[number], variables) for (number, _), variables in zip(titles, parts, strict=True)),
         subset_width,
@@ -235,15 +245,16 @@ def _directory(records: _Records, source: str) -> _Directory:
 
 def _named_groups(
     groups: list[tuple[int, tuple[tuple[int, str], ...], tuple[int, ...]]],
-) -> Iterator[_Group]:
+) -> Iterator[ObjectGroup]:
     """Name the objects of groups; one title of several nodes or contacts gets their ids."""
     for kind, objects, variables in groups:
         known = distinct(each for other, listed, _ in groups if other == kind for each in listed)
-        yield _Group(kind, tuple(known[number] for number, _ in objects), variables)
+        ids = tuple(number for number, _ in objects)
+        yield ObjectGroup(kind, tuple(known[number] for number in ids), variables, ids)
 
 
-def _instants(
-    records: _Records, directory: _Directory, source: str
+def read_instants(
+    records: FortranRecords, directory: HistoryDirectory, source: str
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Read time and all values; every instant must have the records that the directory announces."""
     widths = [1, len(directory.globals_), sum(len(v) for _, v in directory.parts), directory.subset_width]

@@ -26,7 +26,7 @@ T = TypeVar("T")
 SUFFIXES = {
     "ms": ("time", 1e-3), "s": ("time", 1.0), "mm": ("length", 1e-3), "m": ("length", 1.0),
     "Ns": ("momentum", 1.0), "N": ("force", 1.0), "kN": ("force", 1e3), "J": ("energy", 1.0),
-    "Nm": ("moment", 1.0),
+    "Nm": ("moment", 1.0), "deg": ("angle", 0.017453292519943295), "mps": ("speed", 1.0),
 }  # fmt: skip
 """Unit at the end of a column's name → dimension and factor to SI."""
 
@@ -104,7 +104,7 @@ class _Columns:
         self.files = {t.source: t.digest for t in self._tables}
         self._columns: dict[str, tuple[Values, str]] = {}
         for table in self._tables:
-            axis = _time_axis(table, time)
+            axis = time_axis(table, time)
             if table is self._tables[0]:
                 self.time = axis
             elif axis.shape != self.time.shape or not np.allclose(axis, self.time, rtol=0, atol=1e-9):
@@ -155,7 +155,8 @@ class _Columns:
                         yield full, spec, star
 
 
-def _time_axis(table: NumericTable, name: str) -> Values:
+def time_axis(table: NumericTable, name: str) -> Values:
+    """Return a table's time in seconds; the name of its column has to end in the unit."""
     if name not in table.columns:
         match_one(name, table.columns, "column", table.source)
     suffix = name.rsplit("_", 1)[-1]

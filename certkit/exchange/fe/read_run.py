@@ -1,0 +1,206 @@
+"""Read a finite-element run as a recording: the mapping says which histories are the legform's channels."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.definitions.channels import SPEED
+from certkit.documents.rounding import rounded_series
+from certkit.errors import DataError
+from certkit.exchange.codes import code_table
+from certkit.exchange.conditions import Told, mapped_conditions, together
+from certkit.exchange.fe.checks import read_bytes
+from certkit.exchange.fe.histories import parse_units
+from certkit.exchange.fe.readers.ls_dyna_binout import is_lsda
+from certkit.exchange.fe.run_binout import BinoutRun
+from certkit.exchange.fe.run_conditions import FREE_FLIGHT, contact_sample, energy_conditions
+from certkit.exchange.fe.run_radioss import RadiossRun
+from certkit.exchange.fe.run_tidy import TidyRun
+from certkit.exchange.measured import MeasuredData, SourceFile
+from certkit.exchange.timebase import TimeBase
+from certkit.files.limits import MAX_SAMPLES
+from certkit.reasons import Reason
+from certkit.signals.noise import FREE_FLIGHT_NOISE
+from certkit.signals.recording import Channel, Recording
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping as Lookup
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from certkit.definitions.channel_mapping import Mapping
+    from certkit.definitions.channels import ChannelTable
+    from certkit.definitions.extraction_case import Format
+    from certkit.definitions.virtual_test import FiniteElements
+    from certkit.exchange.fe.run_histories import RunFiles, Samples
+
+USUAL_FILES: dict[Format, tuple[str, ...]] = {
+    "ls-dyna binout": ("binout*",),
+    "openradioss native": ("*T01", "*T01.gz"),
+    "tidy csv": ("*.csv", "*.csv.gz"),
+}
+"""What the files of a run's folder are called where the mapping does not say it."""
+
+
+def read_run(path: Path, mapping: Mapping, layout: FiniteElements, table: ChannelTable) -> MeasuredData:
+    """Read a run.
+
+    Parameters
+    ----------
+    path : Path
+        The run's folder, or its file.
+    mapping : Mapping
+        With the conditions that the files do not tell.
+    layout : FiniteElements
+        Its section on the run.
+    table : ChannelTable
+        Channels of the legform.
+
+    Returns
+    -------
+    MeasuredData
+        Its recording is `virtual`: on even steps by linear interpolation, time zero at first contact, with
+        what the run tells of its own quality among the conditions.
+
+    Raises
+    ------
+    DataError
+        For missing or damaged files, histories that are not there, or conditions that contradict each other.
+    """
+    paths = _paths(path, layout)
+    with ExitStack() as stack:
+        run = _open(paths, layout, stack)
+        histories = {
+            name: _signed(run.history(asked, table.kinds[name].dimension.quantity), asked.sign)
+            for name, asked in layout.channels.items()
+        }
+        energies = run.energies()
+        speed = None if layout.speed is None else run.history(layout.speed, SPEED.quantity)
+    base = _base(list(histories.values()), str(path))
+    time = base.times()
+    values = {name: np.array(rounded_series(each.at(time))) for name, each in histories.items()}
+    contact = next((values[name] for name in table.contact if name in values and "force" in name), None)
+    zero = None if contact is None else contact_sample(contact)
+    notes = [Reason.of("run-resampled", interval=base.interval * 1e3)]
+    told: dict[str, Told] = {word: Told(v, str(path)) for word, v in energy_conditions(energies).items()}
+    if zero is None:
+        notes.append(Reason.of("run-without-contact"))
+        shift = 0.0
+    else:
+        shift = float(time[zero])
+        told |= _before_contact(values, zero, base, table, str(path))
+    if speed is not None:
+        told["speed"] = Told(abs(float(speed.at(np.array([shift]))[0])), str(path))
+    told = together(told, mapped_conditions(mapping, code_table(mapping, table)))
+    moved = TimeBase(base.first - shift, base.interval, base.count)
+    recording = Recording(
+        kind="virtual",
+        time=moved.times(),
+        channels=MappingProxyType(
+            {n: Channel(n, table.kinds[n].title, table.kinds[n].dimension, v) for n, v in values.items()}
+        ),
+        conditions=MappingProxyType({word: item.value for word, item in told.items()}),
+        notes=tuple(notes),
+        source=path.name,
+        table=table,
+    )
+    files = sorted((_inside(path, name), digest) for name, digest in run.files.items())
+    return MeasuredData(
+        recording,
+        tuple(SourceFile(name, digest) for name, digest in files),
+        told=told,
+        energies={
+            name: each.at(recording.time + shift)
+            for name, each in energies.items()
+            if name not in {"ratio", "mass", "added mass"}
+        },
+    )
+
+
+def _signed(samples: Samples, sign: int) -> Samples:
+    return samples if sign == 1 else type(samples)(samples.time, -samples.values)
+
+
+def _before_contact(
+    values: Lookup[str, np.ndarray], zero: int, base: TimeBase, table: ChannelTable, place: str
+) -> dict[str, Told]:
+    """Return how long the legform flew before contact, and the largest moment while it did."""
+    told = {FREE_FLIGHT: Told(zero * base.interval, place)}
+    moments = [values[name] for name in table.flight if name in values]
+    if moments:
+        noise = max(float(np.abs(moment[: zero + 1]).max()) for moment in moments)
+        told[FREE_FLIGHT_NOISE] = Told(noise, place)
+    return told
+
+
+def _base(histories: Sequence[Samples], source: str) -> TimeBase:
+    """Return even steps, as fine as the finest history's mean, over the time that all cover."""
+    begin = max(float(each.time[0]) for each in histories)
+    end = min(float(each.time[-1]) for each in histories)
+    step = min(float(each.time[-1] - each.time[0]) / (each.time.size - 1) for each in histories)
+    plain = TimeBase(begin, step, 2)
+    count = int((end - plain.first) / plain.interval + 1e-6) + 1 if end > begin else 0
+    if not 2 <= count <= MAX_SAMPLES:
+        raise DataError(f"{source}: its histories share no time; are they of one run?")
+    return plain.with_count(count)
+
+
+def _open(paths: list[Path], layout: FiniteElements, stack: ExitStack) -> RunFiles:
+    kind = layout.format or _told_format(paths[0])
+    if kind == "ls-dyna binout":
+        run = BinoutRun(paths, parse_units(layout.units))
+        stack.callback(run.close)
+        return run
+    if kind == "tidy csv":
+        return TidyRun(paths, layout)
+    if kind == "openradioss native":
+        if len(paths) > 1:
+            raise DataError(
+                f"{paths[1]}: an OpenRadioss run has one T01 here; name it in the mapping's `files`"
+            )
+        return RadiossRun(paths[0], parse_units(layout.units))
+    raise DataError(f"{paths[0]}: a converted CSV has lost part of its names; grade the native file (…T01)")
+
+
+def _told_format(path: Path) -> Format:
+    content, _ = read_bytes(path)
+    if is_lsda(content):
+        return "ls-dyna binout"
+    if content[:3] == b"\x00\x00\x00":  # the length of a Fortran record
+        return "openradioss native"
+    return "tidy csv"
+
+
+def _paths(path: Path, layout: FiniteElements) -> list[Path]:
+    """Return the run's files: the one that is named, or those in the folder that is."""
+    if not path.is_dir():
+        return [path]
+    patterns = layout.files
+    if not patterns:
+        kinds = [layout.format] if layout.format else list(USUAL_FILES)
+        for kind in kinds:
+            found = _found(path, USUAL_FILES.get(kind, ()))
+            if found:
+                return found
+        raise DataError(f"{path}: no binout, T01 or table in this folder; name the mapping's `files`")
+    found = _found(path, patterns)
+    missing = [pattern for pattern in patterns if not _found(path, [pattern])]
+    if missing:
+        raise DataError(f"{path}: there is no `{missing[0]}` in this folder; correct the mapping's `files`")
+    return found
+
+
+def _found(folder: Path, patterns: Sequence[str]) -> list[Path]:
+    """Return the folder's files of these patterns, in their order; continued binouts go with their first."""
+    found = [each for pattern in patterns for each in sorted(folder.glob(pattern)) if each.is_file()]
+    inside = [each for each in found if each.resolve().is_relative_to(folder.resolve())]
+    return [each for each in dict.fromkeys(inside) if "%" not in each.name]
+
+
+def _inside(path: Path, name: str) -> str:
+    """Return a file's name without the folders above the run."""
+    return name.removeprefix(f"{path}/") if path.is_dir() else name.rpartition("/")[2]

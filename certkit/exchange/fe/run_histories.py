@@ -1,0 +1,98 @@
+"""Histories of a finite-element run by the names that the solver gives them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from numpy.typing import NDArray
+
+    from certkit.definitions.virtual_test import History
+    from certkit.exchange.fe.histories import Units
+
+    Values = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Samples:
+    """One history on its own time axis.
+
+    Parameters
+    ----------
+    time : ndarray, shape (n,)
+        Seconds.
+    values : ndarray, shape (n,)
+        SI.
+    """
+
+    time: Values
+    values: Values
+
+    def at(self, time: Values) -> Values:
+        """Return the values at other times, by linear interpolation."""
+        return np.interp(time, self.time, self.values)
+
+
+class RunFiles(Protocol):
+    """What every reader of a run offers."""
+
+    @property
+    def files(self) -> Mapping[str, str]:
+        """SHA-256 of every file that was read, by its name."""
+
+    def history(self, asked: History, dimension: str) -> Samples:
+        """Return a history of that dimension.
+
+        Raises
+        ------
+        DataError
+            When the run has none of that name; says what there is.
+        """
+
+    def energies(self) -> Mapping[str, Samples]:
+        """Return what the run tells of its energies and its mass, SI.
+
+        Keys: `kinetic`, `internal`, `hourglass`, `contact`, `external work`, `total` (external work not
+        taken off), `ratio` (total over what went in), `mass` and `added mass` (both kg). What the run does
+        not tell is missing.
+        """
+
+
+def factor_of(units: Units, dimension: str) -> float:
+    """Return the SI value of one unit of a dimension in a consistent set of units."""
+    return {
+        "moment": units.energy,
+        "length": units.length,
+        "force": units.force,
+        "angle": 1.0,
+        "speed": units.length / units.time,
+        "acceleration": units.length / units.time**2,
+        "energy": units.energy,
+        "time": units.time,
+    }[dimension]
+
+
+def combined(parts: Iterable[Samples], how: str) -> Samples:
+    """Return the sum or mean of histories that share a time axis."""
+    listed = list(parts)
+    total = np.sum([part.values for part in listed], axis=0)
+    return Samples(listed[0].time, total / len(listed) if how == "mean" else total)
+
+
+def growth_of_distance(first: tuple[Values, Values], second: tuple[Values, Values], time: Values) -> Samples:
+    """Return how much the distance of two nodes grows.
+
+    Parameters
+    ----------
+    first, second : tuple of ndarray
+        Place of each at the first instant, shape (3,), and displacement, shape (n, 3).
+    time : ndarray, shape (n,)
+    """
+    apart = (second[0] + second[1]) - (first[0] + first[1])
+    length = np.sqrt((apart**2).sum(axis=1))
+    return Samples(time, length - length[0])

@@ -1,0 +1,178 @@
+"""A run as OpenRadioss' native time history (`…T01`): any group's variables by title or id, and energies.
+
+The file numbers its variables; the names of most of them stand in the file `…T01_TITLES` beside it. Forces
+and moments of contacts, sections and rigid bodies are impulses in the file: their central difference is the
+force, as OpenRadioss' own converter takes it.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.errors import DataError
+from certkit.exchange.fe.checks import read_bytes, require_finite, require_time_axis
+from certkit.exchange.fe.histories import match_one
+from certkit.exchange.fe.readers.openradioss_native import (
+    CONTACT_GROUP,
+    GLOBALS,
+    GROUP_VARIABLES,
+    NODE_GROUP,
+    FortranRecords,
+    read_directory,
+    read_instants,
+)
+from certkit.exchange.fe.run_histories import Samples, combined, factor_of, growth_of_distance
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+    from certkit.definitions.virtual_test import History
+    from certkit.exchange.fe.histories import Units
+
+    Values = NDArray[np.float64]
+
+KINDS = {
+    "node": NODE_GROUP,
+    "brick": 1,
+    "quad": 2,
+    "shell": 3,
+    "truss": 4,
+    "beam": 5,
+    "spring": 6,
+    "contact": CONTACT_GROUP,
+    "section": 102,
+    "rigid body": 103,
+}
+"""Word of the mapping → number of a group's kind in the file."""
+
+IMPULSES = {
+    CONTACT_GROUP: frozenset({"FNX", "FNY", "FNZ", "FTX", "FTY", "FTZ"}),
+    102: frozenset(
+        {"FNX", "FNY", "FNZ", "FTX", "FTY", "FTZ", "F1", "F2", "F3", "M1", "M2", "M3", "MX", "MY", "MZ"}
+    ),
+    103: frozenset({"FX", "FY", "FZ", "MX", "MY", "MZ"}),
+}
+"""Variables of a kind that are impulses in the file."""
+
+
+class RadiossRun:
+    """Groups and global variables of one native file."""
+
+    def __init__(self, path: Path, units: Units) -> None:
+        """Read the file, and the names of its variables where they stand beside it.
+
+        Raises
+        ------
+        DataError
+            For anything that is no whole, self-consistent file of this kind.
+        """
+        content, digest = read_bytes(path)
+        self._units, self._source = units, str(path)
+        self.files = {str(path): digest}
+        records = FortranRecords(content, self._source)
+        self._directory = read_directory(records, self._source)
+        time, data = read_instants(records, self._directory, self._source)
+        require_time_axis(time, self._source)
+        self._time = time * units.time
+        self._globals = data[:, : len(self._directory.globals_)]
+        first = len(self._directory.globals_) + sum(len(v) for _, v in self._directory.parts)
+        self._groups = data[:, first + self._directory.subset_width :]
+        self._columns = self._named(self._titles(path))
+
+    def history(self, asked: History, dimension: str) -> Samples:
+        """Return a variable of objects, or the growth of two nodes' distance."""
+        if asked.between is not None:
+            nodes = [self._node(name) for name in asked.between]
+            grown = growth_of_distance(nodes[0], nodes[1], self._time)
+            return Samples(grown.time, grown.values * factor_of(self._units, dimension))
+        if asked.table is None:
+            raise DataError(
+                f"{self._source}: a native file has groups, no columns; map `table`, `of` and `variable`"
+            )
+        parts = [self._variable(asked.table, name, asked.variable or "") for name in asked.objects]
+        found = combined(parts, asked.combine)
+        return Samples(found.time, found.values * factor_of(self._units, dimension))
+
+    def energies(self) -> Mapping[str, Samples]:
+        """Return the global energies; the internal energy holds that of the springs."""
+        told = {
+            GLOBALS[number - 1]: self._globals[:, k]
+            for k, number in enumerate(self._directory.globals_)
+            if number <= len(GLOBALS)
+        }
+        found: dict[str, Samples] = {
+            name: Samples(self._time, told[name] * self._units.energy)
+            for name in ("kinetic", "internal", "hourglass", "contact", "external work")
+            if name in told
+        }
+        if {"kinetic", "internal"} <= told.keys():
+            total = told["kinetic"] + told["internal"] + told.get("rotation", 0.0)
+            found["total"] = Samples(self._time, total * self._units.energy)
+        for name in ("mass", "added mass"):
+            if name in told:
+                found[name] = Samples(self._time, told[name] * self._units.mass)
+        return found
+
+    def _variable(self, word: str, name: str, variable: str) -> Samples:
+        kind = KINDS[match_one(word, KINDS, "kind of group", self._source)]
+        objects = self._columns.get(kind, {})
+        held = objects[match_one(name, objects, word, self._source)]
+        column = held[match_one(variable, held, f"variable of {word} `{name}`", self._source)]
+        values = self._groups[:, column]
+        require_finite(values, f"{name} {variable}", self._source)
+        if variable in IMPULSES.get(kind, ()):
+            values = rate_of(values, self._time / self._units.time)
+        return Samples(self._time, values)
+
+    def _node(self, name: str) -> tuple[Values, Values]:
+        displaced = np.stack([self._variable("node", name, f"D{axis}").values for axis in "XYZ"], axis=1)
+        place = np.array([self._variable("node", name, axis).values[0] for axis in "XYZ"])
+        return place - displaced[0], displaced
+
+    def _named(self, titles: list[str]) -> dict[int, dict[str, dict[str, int]]]:
+        """Return the column of each variable by kind, object (title and id) and the variable's name."""
+        found: dict[int, dict[str, dict[str, int]]] = {}
+        column = 0
+        for group in self._directory.groups:
+            known = dict(enumerate(GROUP_VARIABLES.get(group.kind, ()), 1))
+            for title, number in zip(group.names, group.ids, strict=True):
+                names = {}
+                for variable in group.variables:
+                    told = titles[column] if titles else known.get(variable, f"var {variable}")
+                    names[told] = column
+                    column += 1
+                for key in (title, str(number)):
+                    found.setdefault(group.kind, {}).setdefault(key, {}).update(names)
+        return found
+
+    def _titles(self, path: Path) -> list[str]:
+        """Return the name of each column of the groups; empty where the titles' file is missing."""
+        plain = path.with_name(path.name.removesuffix(".gz") + "_TITLES")
+        packed = plain.with_name(plain.name + ".gz")
+        if not (plain.exists() or packed.exists()):
+            return []
+        used = plain if plain.exists() else packed
+        content, digest = read_bytes(used)
+        self.files[str(used)] = digest
+        lines = content.decode("latin-1").splitlines()
+        names = [line.strip() for line in lines[1::2]]
+        wanted = self._groups.shape[1]
+        if len(names) != wanted:
+            raise DataError(
+                f"{used}: names {len(names)} variables, the history has {wanted}; copy both files of one run"
+            )
+        return names
+
+
+def rate_of(impulse: Values, time: Values) -> Values:
+    """Return (J[i+1] − J[i−1]) / (t[i+1] − t[i−1]), one-sided at both ends."""
+    rate = np.empty_like(impulse)
+    rate[1:-1] = (impulse[2:] - impulse[:-2]) / (time[2:] - time[:-2])
+    rate[0] = (impulse[1] - impulse[0]) / (time[1] - time[0])
+    rate[-1] = (impulse[-1] - impulse[-2]) / (time[-1] - time[-2])
+    return rate
