@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from certkit.bench.verify import verify
     from certkit.studies.calibration.calibrate_legform import calibrate
     from certkit.studies.carry_out_study import study
+    from certkit.studies.leg_twin import twin
     from certkit.studies.propagate_uncertainty import uncertainty
 
 _FILES = {
@@ -40,6 +41,7 @@ _FILES = {
     "round_robin": "certkit.bench.round_robin",
     "run": "certkit.bench.run_simulation",
     "study": "certkit.studies.carry_out_study",
+    "twin": "certkit.studies.leg_twin",
     "uncertainty": "certkit.studies.propagate_uncertainty",
     "verify": "certkit.bench.verify",
 }
@@ -58,6 +60,7 @@ __all__ = [
     "round_robin",
     "run",
     "study",
+    "twin",
     "uncertainty",
     "verify",
 ]

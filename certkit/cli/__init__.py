@@ -31,6 +31,7 @@ from certkit.cli import (
     schema_command,
     show_command,
     study_command,
+    twin_command,
     uncertainty_command,
     validate_command,
     verify_command,
@@ -72,6 +73,7 @@ app.command("roundrobin", rich_help_panel=TESTS)(roundrobin_command.roundrobin)
 app.command("extract", rich_help_panel=MODELS)(extract_command.extract)
 app.command("calibrate", rich_help_panel=MODELS)(calibrate_command.calibrate)
 app.command("study", rich_help_panel=MODELS)(study_command.study)
+app.command("twin", rich_help_panel=MODELS)(twin_command.twin)
 app.command("uncertainty", rich_help_panel=MODELS)(uncertainty_command.uncertainty)
 app.command("confirm", rich_help_panel=DEFINITIONS)(confirm_command.confirm)
 app.command("list", rich_help_panel=DEFINITIONS)(list_command.list_)

@@ -26,6 +26,7 @@ DOCUMENTS = MappingProxyType(
         "campaign-report": "certkit.documents.campaign_report:CampaignReport",
         "logbook-overview": "certkit.documents.logbook_overview:LegOverview",
         "uncertainty-report": "certkit.documents.uncertainty_report:UncertaintyReport",
+        "twin": "certkit.documents.twin_report:TwinReport",
         "round-robin": "certkit.documents.round_robin_report:RoundRobinReport",
     }
 )

@@ -68,6 +68,7 @@ REPORTS = {
     "certkit-fit/1": DocumentReport("certkit.reporting.study_pages:render_calibration"),
     "certkit-logbook/1": DocumentReport("certkit.reporting.logbook_page:render_logbook"),
     "certkit-uncertainty/1": DocumentReport("certkit.reporting.uncertainty_page:render_uncertainty"),
+    "certkit-twin/1": DocumentReport("certkit.reporting.twin_page:render_twin"),
     "certkit-round-robin/1": DocumentReport("certkit.reporting.round_robin_page:render_round_robin"),
 }
 

@@ -134,6 +134,9 @@ _ALL = (
         "models/fits",
     ),
     Kind(
+        "diagnosis", "parts of a leg that age or are set wrongly", "diagnosis:Diagnosis", "models/diagnoses"
+    ),
+    Kind(
         "budget",
         "tolerances of a rig and of its sensors",
         "uncertainty_budget:UncertaintyBudget",

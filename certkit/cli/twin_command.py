@@ -1,0 +1,63 @@
+"""`certkit twin`: which part of a leg explains how its recordings differ."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+
+Recordings = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar="TEST", help="Graded test of one legform: report.pdf, result.json or the folder of its run."
+    ),
+]
+
+
+def twin(
+    recordings: Recordings,
+    *,
+    diagnosis: Annotated[
+        str, typer.Option("--diagnosis", metavar="NAME|FILE", help="The parts that are looked at.")
+    ] = "flex-pli-gtr",
+    against: Annotated[
+        Path | None,
+        typer.Option(
+            "--against", metavar="TEST", help="Earlier test of the leg: look for what changed since."
+        ),
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", help="Folder for the results.", show_default="runs/twin")
+    ] = None,
+    formats: Annotated[
+        str, typer.Option("--format", help="`html`, or `none`. The JSON is always written.")
+    ] = "html",
+    force: options.Force = False,
+    library: options.Libraries = None,
+    as_json: options.AsJson = False,
+) -> None:
+    """Fit the model to a leg's recordings, one part at a time, and say which part explains how it differs.
+
+    Whole curves count, with the noise, gains and time zero that recordings have. Each part comes with its
+    change, a 95 % interval and a remedy; parts that cannot be told apart are all named.
+    """
+    from certkit.bench.render_documents import render, reports_of  # noqa: PLC0415  # numpy waits
+    from certkit.documents.twin_report import TwinReport  # noqa: PLC0415  # likewise
+    from certkit.reporting.twin_page import twin_text  # noqa: PLC0415  # likewise
+    from certkit.studies.leg_twin import twin as tell_parts  # noqa: PLC0415  # likewise
+
+    wanted = reports_of(TwinReport, formats)
+    document = tell_parts(recordings, diagnosis=diagnosis, against=against, library=library or ())
+    written = render(
+        document,
+        out or Path("runs") / "twin",
+        wanted,
+        force=force,
+        numbered=out is None,
+        tell=lambda what: typer.echo(what, err=True),
+    )
+    typer.echo(document.to_json() if as_json else twin_text(document), nl=not as_json)
+    typer.echo(f"look at {written[-1]}", err=True)

@@ -1,0 +1,82 @@
+"""Graded tests of a leg as a diagnosis looks at them: conditioned curves, and the rig as it really stood."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit.bench.carried_results import carried_results
+from certkit.bench.setup import prepare
+from certkit.documents.channel_curves import recording_of
+from certkit.errors import DataError, UsageError
+from certkit.grading import measure_all
+from certkit.logbooks.logbook_entry import entry_of
+from certkit.studies.quantity import split_quantity
+from certkit.studies.trial import numbers_of
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from pathlib import Path
+
+    from certkit.definitions.diagnosis import Diagnosis
+    from certkit.documents.result import Result
+    from certkit.signals import Filtered
+
+
+@dataclass(frozen=True)
+class TestedLeg:
+    """One recording with the model of its test."""
+
+    result: Result
+    place: str
+    overrides: Mapping[str, str]
+    filtered: Filtered
+    procedure: str
+    day: str
+    serial: str
+
+
+def tested_legs(path: str | Path, sheet: Diagnosis, library: Sequence[Path]) -> list[TestedLeg]:
+    """Read the graded tests that a path carries.
+
+    Raises
+    ------
+    DataError
+        When one is damaged, was changed, carries no channels, or is of another legform than the diagnosis.
+    """
+    found = []
+    for place, result in carried_results(path):
+        entry = entry_of(result, place)
+        changes = _changes_of(result, sheet, library)
+        setup = prepare(result.procedure, library=library, overrides=changes)
+        if setup.legform.legform != sheet.legform:
+            raise DataError(
+                f"{place}: a test of `{setup.legform.legform}`; the diagnosis is of `{sheet.legform}`"
+            )
+        recording = recording_of(result, table=setup.legform.channel_table)
+        filtered = measure_all(setup.procedure, recording, lenient=True).filtered
+        found.append(
+            TestedLeg(result, place, changes, filtered, result.procedure, entry.day.isoformat(), entry.serial)
+        )
+    return found
+
+
+def _changes_of(result: Result, sheet: Diagnosis, library: Sequence[Path]) -> dict[str, str]:
+    """Return the rig's values that the recording's conditions tell, where the procedure has them."""
+    known = dict(numbers_of(prepare(result.procedure, library=library).procedure))
+    changes = {}
+    for condition, path in sheet.conditions.items():
+        value = result.conditions.get(condition)
+        if value is not None and path in known:
+            changes[path] = _written(value, known[path])
+    return changes
+
+
+def _written(value: float, like: str) -> str:
+    """Write an SI value in the unit of another one."""
+    unit = (split_quantity(like) or (0.0, ""))[1]
+    scale = {"deg": math.degrees(1.0), "m/s": 1.0, "kg": 1.0, "mm": 1e3}.get(unit)
+    if scale is None:
+        raise UsageError(f"a condition cannot be written in `{unit}`, as `{like}` is")
+    return f"{value * scale!r} {unit}"
