@@ -17,7 +17,7 @@ from certkit.grading import (
     measure_all,
     numerical_uncertainties,
 )
-from certkit.grading.front_limits import beyond_range, largest_travel
+from certkit.grading.front_limits import beyond_range, front_use
 from certkit.reasons import Reason
 from certkit.reporting.language import worded
 
@@ -83,14 +83,14 @@ def run_setup(setup: Setup, *, refine: bool = True, library: Library = ()) -> Re
     simulation = _simulate(setup)
     measured = measure_all(setup.procedure, simulation.recording)
     refinement = _refine(setup, simulation, measured) if refine else None
+    front, vehicle = simulation.front, setup.vehicle
     quality = grade_quality(
         simulation.quality,
         step_change=refinement.step_change if refinement else None,
         solver_seconds=simulation.solver_seconds,
-        travel_mm=None if simulation.front is None else largest_travel(simulation.front),
+        front=None if front is None or vehicle is None else front_use(front, vehicle),
     )
     fits = fits_of(setup, library)
-    front, vehicle = simulation.front, setup.vehicle
     stretched = [] if front is None or vehicle is None else beyond_range(front, vehicle)
     guess = (Reason.of("model-for-what-if"),) if setup.legform.what_if else ()
     simulated = SimulatedTerms(

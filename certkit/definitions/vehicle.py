@@ -41,6 +41,10 @@ class Group(Section):
     low: Annotated[Length | None, Field(description="Lower end of the face; none: never touched.")] = None
     high: Annotated[Length | None, Field(description="Upper end of the face.")] = None
     slope: Annotated[Ratio | None, Field(description="dx/dz of the face.")] = None
+    room: Annotated[
+        Length | None,
+        Field(description="Free travel behind it, up to what is no part of the front; beyond is an error."),
+    ] = None
     outlines: Annotated[list[FaceOutline], Field(max_length=100)] = []
     springing_back: Annotated[list[ReturningOutline], Field(max_length=100)] = []
 
@@ -52,6 +56,8 @@ class Group(Section):
             faults.append(((), "a face has low, high and position; give all three, or none"))
         if self.low is not None and self.high is not None and self.high <= self.low:
             faults.append((("high",), "`high` is not above `low`; swap them"))
+        if self.room is not None and self.room <= 0:
+            faults.append((("room",), "no room, no travel: leave `room` out, or give a length"))
         if self.springing_back and not self.outlines:
             faults.append((("springing back",), "a face that springs back needs `outlines` first"))
         for name, places, lines in (

@@ -24,7 +24,8 @@ def with_spread(results: Sequence[Result]) -> Result:
 
     The first is the nominal leg: its values, curves and verdict stay. The members differ in what the
     certification tests leave open, so the verdict is not made worse by one of them, but remarks say how many
-    pass and what is not determined. A member whose run cannot be trusted is dropped.
+    pass and what is not determined. A member whose run cannot be trusted is left out; remarks name it by its
+    number in the family, with the check that it misses, and likewise those that fail, which stay.
 
     Parameters
     ----------
@@ -48,8 +49,13 @@ def with_spread(results: Sequence[Result]) -> Result:
         spread = _spread([c for r in legs for c in r.criteria if c.id == criterion.id])
         criteria.append(criterion.model_copy(update={"spread": spread}) if spread is not None else criterion)
     remarks = [*nominal.coded_remarks, _remark(legs)]
-    if len(legs) < len(results):
-        remarks.append(Reason.of("legs-dropped", count=len(results) - len(legs)))
+    members = list(enumerate(results[1:], 1))
+    left_out = [_left_out(number, result) for number, result in members if result.verdict == "error"]
+    if left_out:
+        remarks.append(Reason.of("legs-dropped", count=len(left_out), legs=left_out))
+    failing = [_failing(number, result) for number, result in members if result.verdict == "fail"]
+    if failing:
+        remarks.append(Reason.of("legs-that-fail", count=len(failing), legs=failing))
     remarks += [reason for criterion in criteria for reason in _undetermined(criterion)]
     return nominal.model_copy(update={"criteria": ListById(criteria), "coded_remarks": remarks}).with_id()
 
@@ -70,6 +76,23 @@ def _spread(criteria: Sequence[CriterionResult]) -> Spread | None:
         standard_deviation=math.sqrt(variance),
         passing=verdicts.count("pass") / len(verdicts) if verdicts else None,
     )
+
+
+def _left_out(number: int, result: Result) -> Reason:
+    """Return a member's number with the quality checks that its run misses."""
+    checks = result.quality.checks if result.quality is not None else []
+    missed = [check.coded_title or Reason.words(check.title) for check in checks if check.verdict != "pass"]
+    if not missed:
+        return Reason.of("leg-number", number=number)
+    return Reason.of("leg-that-misses", number=number, checks=missed)
+
+
+def _failing(number: int, result: Result) -> Reason:
+    """Return a member's number with the criteria that it fails."""
+    failed = [
+        criterion.id for criterion in result.criteria if criterion.graded and criterion.verdict == "fail"
+    ]
+    return Reason.of("leg-that-misses", number=number, checks=failed)
 
 
 def _remark(results: Sequence[Result]) -> Reason:

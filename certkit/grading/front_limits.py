@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.reasons import Reason
@@ -14,10 +15,69 @@ RANGE = 1.001
 """Times the last point of a spring's curve up to which it is within its range; rounding is no departure."""
 
 
-def largest_travel(front: Front) -> float:
-    """Return how far the group that moves most goes, mm; 0 for a front without groups."""
-    series = front.displacement.series.values()
-    return max((abs(float(value)) for one in series for value in one.values), default=0.0)
+@dataclass(frozen=True)
+class Use:
+    """What a group or a spring used of what there is, in per cent; the one that used most."""
+
+    name: str
+    percent: float
+
+
+@dataclass(frozen=True)
+class FrontUse:
+    """How far a front went into the room and the curves that it was made with.
+
+    Parameters
+    ----------
+    travel_mm : float
+        Of the group without a known room that moves most; 0 where there is none.
+    room : Use or None
+        Largest travel over the room behind a group; None where no room is known.
+    springs : Use or None
+        Largest shortening over the end of the curve of an extracted spring; None where none was extracted.
+    """
+
+    travel_mm: float
+    room: Use | None
+    springs: Use | None
+
+
+def front_use(front: Front, vehicle: Vehicle) -> FrontUse:
+    """Return what a front used of its rooms and curves.
+
+    Parameters
+    ----------
+    front : Front
+        Displacements of the groups, mm, and force over shortening, mm, by the springs' names.
+    vehicle : Vehicle
+        A spring with `seen` was extracted: its curve goes on beyond that, and ends at the last point of
+        `loading`. There its extraction says nothing any more.
+    """
+    travels = {
+        name: max((abs(float(value)) for value in series.values), default=0.0)
+        for name, series in front.displacement.series.items()
+    }
+    rooms = {n: float(g.room) * 1e3 for n, g in vehicle.groups.items() if g.room is not None and n in travels}
+    ends = {
+        name: (float(spring.loading[-1][0]) + float(spring.gap or 0.0)) * 1e3
+        for name, spring in vehicle.springs.items()
+        if spring.seen is not None and spring.bottoming is None and name in front.springs
+    }
+    shortenings = {
+        name: max((float(point[0]) for point in front.springs[name].points), default=0.0) for name in ends
+    }
+    return FrontUse(
+        travel_mm=max((travel for name, travel in travels.items() if name not in rooms), default=0.0),
+        room=_most({name: 100.0 * travels[name] / room for name, room in rooms.items()}),
+        springs=_most({n: 100.0 * shortenings[n] / end for n, end in ends.items() if end > 0.0}),
+    )
+
+
+def _most(percents: dict[str, float]) -> Use | None:
+    if not percents:
+        return None
+    name = max(percents, key=lambda name: percents[name])
+    return Use(name, percents[name])
 
 
 def beyond_range(front: Front, vehicle: Vehicle) -> list[Reason]:

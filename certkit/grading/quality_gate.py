@@ -10,6 +10,7 @@ from certkit.documents.rounding import rounded_residual
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
+    from certkit.grading.front_limits import FrontUse
     from certkit.grading.refinement import StepChange
 
 ENERGY_LIMIT = 0.5
@@ -26,7 +27,9 @@ FLESH_DEPTH_LIMIT = 100.0
 
 TRAVEL_LIMIT = 300.0
 """Millimetres that a group of a front may travel: there the radiator and the engine stand. An estimate;
-the softest of the shipped fronts has 205."""
+the softest of the shipped fronts has 101. A group whose `room` is known is held against that."""
+ROOM_LIMIT = 100.0
+"""Percent of its room that a group may travel, and of its curve that an extracted spring may be shortened."""
 
 
 class Figures(Protocol):
@@ -62,7 +65,7 @@ def grade_quality(
     *,
     step_change: StepChange | None = None,
     solver_seconds: float | None = None,
-    travel_mm: float | None = None,
+    front: FrontUse | None = None,
     penetration_limit: float = PENETRATION_LIMIT,
 ) -> Quality:
     """Hold a run's quality figures against their limits.
@@ -75,8 +78,8 @@ def grade_quality(
         nobody looked.
     solver_seconds : float, optional
         Processor time, for information.
-    travel_mm : float, optional
-        How far the group of a vehicle's front that moves most goes; None without a vehicle.
+    front : FrontUse, optional
+        How far a vehicle's front went into its rooms and curves; None without a vehicle.
     penetration_limit : float
         Millimetres.
 
@@ -97,9 +100,8 @@ def grade_quality(
     if figures.flesh_depth_percent:
         depth = figures.flesh_depth_percent
         checks.append(_check("flesh-depth", depth, FLESH_DEPTH_LIMIT, "%", Reason.of("stiffen-the-wall")))
-    if travel_mm is not None:
-        held = Reason.of("hold-the-groups")
-        checks.append(_check("group-travel", travel_mm, TRAVEL_LIMIT, "mm", held))
+    if front is not None:
+        checks += _front_checks(front)
     if step_change is not None:
         most = Reason.of("criterion-changes-most", criterion=step_change.criterion, step=step)
         checks.append(_check("step-change", step_change.percent, STEP_CHANGE_LIMIT, "%", most))
@@ -114,6 +116,18 @@ def grade_quality(
         solver_seconds=solver_seconds,
         checks=checks,
     )
+
+
+def _front_checks(front: FrontUse) -> list[QualityCheck]:
+    """Hold a front against the room behind its groups, and its springs against their curves."""
+    checks = [_check("group-travel", front.travel_mm, TRAVEL_LIMIT, "mm", Reason.of("hold-the-groups"))]
+    if front.room is not None:
+        remedy = Reason.of("hold-the-group", group=front.room.name)
+        checks.append(_check("group-room", front.room.percent, ROOM_LIMIT, "%", remedy))
+    if front.springs is not None:
+        remedy = Reason.of("extract-further", spring=front.springs.name)
+        checks.append(_check("spring-range", front.springs.percent, ROOM_LIMIT, "%", remedy))
+    return checks
 
 
 def _check(code: str, value: float, limit: float, unit: str, remedy: Reason) -> QualityCheck:

@@ -60,7 +60,7 @@ def test_every_number_has_a_value_a_source_and_a_confidence(kind: str, name: str
     document = load(kind, name).document
     numbers = parameters(document)
     awaits = isinstance(document, CorridorSet) and document.awaited
-    assert numbers or awaits or kind in {"bibliography", "budget", "family", "fit", "study"}
+    assert numbers or awaits or kind in {"bibliography", "budget", "family", "fit", "scheme", "study"}
     for number in numbers:
         assert number.path
         assert number.value

@@ -14,10 +14,11 @@ from hypothesis import strategies as st
 from support.sheets import PROVENANCE, TIME, bump, corridor_set, grade, procedure, recording
 
 from certkit.documents.channel_curves import drawn_curves, raw_channels, recording_of, thinned
-from certkit.documents.result import Quality, Result
+from certkit.documents.result import Quality, QualityCheck, Result
 from certkit.documents.rounding import rounded, rounded_all, rounded_series
 from certkit.errors import DataError, UsageError
 from certkit.grading import exit_code, with_spread, worst
+from certkit.reasons import Reason
 from certkit.reporting.language import worded
 from certkit.signals import Filtered
 
@@ -257,6 +258,23 @@ def test_a_familys_verdict_is_the_nominal_legs_and_says_how_many_pass():
     assert any("3 certified legs (1 fail, 2 pass)" in remark for remark in family.remarks)
     assert "T1: 2 of 3 legs pass." in family.remarks
     assert family.id == family.content_id() != result(250.0).id
+
+
+def test_a_family_names_the_legs_that_are_left_out_and_those_that_fail_by_number_and_why():
+    check = QualityCheck(
+        title="", coded_title=Reason.of("joint-gap"), value=1, limit=0.02, unit="mm", verdict="error"
+    )
+    broken = result(250.0).model_copy(
+        update={"verdict": "error", "quality": QUALITY.model_copy(update={"checks": [check]})}
+    )
+    family = worded(with_spread([result(250.0), result(300.0), broken, result(251.0)]))
+    assert family.criteria[0].spread.members == 3
+    told = [remark for remark in family.remarks if "of the family" in remark]
+    assert told == [
+        "1 legs of the family could not be run to be trusted and are left out: number 2 (joint gap).",
+        "1 legs of the family fail, and stay in the spread: number 1 (T1).",
+    ]
+    assert any("3 certified legs (1 fail, 2 pass)" in remark for remark in family.remarks)
 
 
 def test_a_family_is_of_one_procedure_and_has_members():

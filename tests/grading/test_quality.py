@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from certkit.errors import UsageError
 from certkit.grading import StepChange, grade_quality, largest_step_change, numerical_uncertainties
+from certkit.grading.front_limits import FrontUse, Use
 from certkit.grading.refinement import numerical_uncertainty
 
 
@@ -25,10 +26,21 @@ class Figures:
 
 
 def test_a_group_that_flies_into_the_car_is_an_error():
-    assert grade_quality(Figures(), travel_mm=205.0).verdict == "pass"
-    flown = grade_quality(Figures(), travel_mm=893.0)
+    assert grade_quality(Figures(), front=FrontUse(205.0, None, None)).verdict == "pass"
+    flown = grade_quality(Figures(), front=FrontUse(893.0, None, None))
     assert flown.verdict == "error"
     assert [check.value for check in flown.checks if check.verdict == "error"] == [893.0]
+
+
+@pytest.mark.parametrize("use", [{"room": Use("E3", 100.4)}, {"springs": Use("F1 to E1", 100.4)}])
+def test_a_group_without_room_and_a_spring_without_curve_are_errors_alone(use: dict[str, Use]):
+    within = FrontUse(90.0, Use("E3", 99.0), Use("F1 to E1", 99.0))
+    assert grade_quality(Figures(), front=within).verdict == "pass"
+    beyond = grade_quality(Figures(), front=replace(within, **use))
+    assert beyond.verdict == "error"
+    (check,) = [check for check in beyond.checks if check.verdict == "error"]
+    assert check.remedy is not None
+    assert next(iter(use.values())).name in check.remedy.parameters.values()
 
 
 def test_a_run_within_all_limits_can_be_trusted():

@@ -47,6 +47,8 @@ MADE_FROM_PARTS = {
     "penetration",
     "step-change",
     "group-travel",
+    "group-room",
+    "spring-range",
     "flesh-depth",
     "sensor-expired",
     "sensor-calibrated-later",

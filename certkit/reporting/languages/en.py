@@ -78,7 +78,10 @@ REASONS = MappingProxyType(
         ),
         "count-of-verdict": "{count} {verdict:verdict}",
         "legs-that-pass": "{criterion}: {passed} of {legs} legs pass.",
-        "legs-dropped": "{count} legs of the family could not be run to be trusted and are left out.",
+        "legs-dropped": "{count} legs of the family could not be run to be trusted and are left out: {legs:list}.",
+        "legs-that-fail": "{count} legs of the family fail, and stay in the spread: {legs:list}.",
+        "leg-number": "number {number}",
+        "leg-that-misses": "number {number} ({checks:list})",
         "not-determined": (
             "{criterion} is not determined by the certification tests: legs that pass them gi"
             "ve {low:.4g} to {high:.4g} {unit}."
@@ -138,6 +141,10 @@ REASONS = MappingProxyType(
         "fitted-on-bounds": "Fitted values that stand on a bound of the fit {fit}: {parameters:list}.",
         "group-travel": "travel of a front's group",
         "hold-the-groups": "a group flies into the car: its springs do not hold it",
+        "group-room": "travel of a group over the room behind it",
+        "hold-the-group": "{group} goes further than there is room: stiffen what holds it, or mend its `room`",
+        "spring-range": "shortening of a spring over its curve's end",
+        "extract-further": "{spring} is shortened beyond its curve: extract it from a run that goes as far",
         "spring-beyond-range": "The spring {spring} was shortened by {shortening:.4g} mm, beyond the {last:.4g} mm that its curve reaches: its force there is continued, not known.",
         "bone-still-rising": "{channel} is still rising at the record's end ({value:.4g} N·m at {end:.4g} ms)",
         "bone-not-back-to-zero": "{channel} is not back at zero when the record ends ({value:.4g} N·m, {end:.4g} ms)",
