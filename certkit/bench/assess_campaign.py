@@ -17,6 +17,7 @@ from certkit.definitions.loading.library import load, shelves
 from certkit.definitions.units import parse_quantity
 from certkit.documents.campaign_report import CampaignReport, CarFront, PointReport
 from certkit.documents.result import InputFile, Provenance
+from certkit.documents.unverified import MARK
 from certkit.documents.verdicts import worst
 from certkit.errors import UsageError
 from certkit.grading.judge_car import judge_car
@@ -111,6 +112,9 @@ def assess(
     tolerance = None if sheet.agreement is None else 100.0 * parse_quantity(sheet.agreement, "ratio")
     rows = agreement(points, criteria, tolerance)
     verdict, remarks = _verdict(schemes, rows, tolerance)
+    changed = [f"{p.name} ({s.label})" for p in points for s in p.sources if s.certificate == MARK]
+    if changed:
+        remarks.append(f"{MARK}: changed since certkit wrote it: {', '.join(changed)}")
     document = CampaignReport(
         campaign=sheet.campaign,
         title=sheet.title,

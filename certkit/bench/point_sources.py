@@ -13,7 +13,7 @@ from certkit.definitions.loading.channel_tables import legform_channels
 from certkit.definitions.units import UNITS, dimensions, parse_quantity
 from certkit.documents.campaign_report import PointValue, SourceReport
 from certkit.documents.result import InputFile, Result
-from certkit.documents.unverified import trusted
+from certkit.documents.unverified import MARK, is_marked, trusted
 from certkit.documents.verdicts import worst
 from certkit.errors import DataError, DefinitionError, InputError, RunError
 
@@ -137,7 +137,7 @@ def _of_result(
     reason = _unusable(result) or _other_impactor(result, files)
     report = SourceReport(
         kind=source.kind,
-        label=label,
+        label=f"{label} ({MARK})" if is_marked(result) else label,
         verdict=result.verdict,
         values=[_value(criterion) for criterion in result.criteria],
         usable=not reason,

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 def campaign_pptx(document: CampaignReport) -> bytes:
     """Return the slides."""
     view = CampaignView(document)
-    deck = SlideDeck()
+    deck = SlideDeck(document)
     lines = [f"{document.verdict.upper()}: {view.meaning}"]
     for scheme in document.schemes:
         worst = (

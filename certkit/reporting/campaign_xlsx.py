@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def campaign_xlsx(document: CampaignReport) -> bytes:
     """Return the workbook."""
     view = CampaignView(document)
-    book = SheetBook(document.title)
+    book = SheetBook(document.title, document)
     above = [document.title, f"{document.car.name}: {document.verdict}", f"Campaign {document.id}"]
     for scheme in document.schemes:
         score = car_score(scheme)

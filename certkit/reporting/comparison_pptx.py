@@ -16,7 +16,7 @@ MOST_POINTS = 250
 
 def comparison_pptx(document: ComparisonDocument) -> bytes:
     """Return the slides."""
-    deck = SlideDeck()
+    deck = SlideDeck(document)
     said = [f"Reference: {document.reference.label}; compared: {document.other.label}"]
     if document.rating is not None:
         said.append(f"Mean ISO/TS 18571 rating {fixed(document.rating, 2)}, {document.grade}")

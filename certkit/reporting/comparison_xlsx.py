@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 def comparison_xlsx(document: ComparisonDocument) -> bytes:
     """Return the workbook."""
-    book = SheetBook(document.title)
+    book = SheetBook(document.title, document)
     heads = ("channel", "title", "corridor", "phase", "magnitude", "slope", "overall", "grade", "remark")
     rows: list[list[Cell]] = [
         [*(r.channel, r.title, r.corridor, r.phase, r.magnitude, r.slope, r.overall, r.grade, r.reason)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.documents.unverified import is_marked
 from certkit.reporting.scales import thinned
 from certkit.reporting.slide_deck import SlideDeck
 
@@ -27,7 +28,7 @@ STRIDE_TO = 200
 def write(views: Sequence[View], *, title: str | None, paper: str) -> bytes:
     """Return the slides of one result, or of a suite."""
     del paper
-    deck = SlideDeck()
+    deck = SlideDeck(next((view.document for view in views if is_marked(view.document)), None))
     if title is not None:
         rows: list[list[Cell]] = [
             [v.result.title, v.result.verdict, v.tally, v.nearest, v.result.id] for v in views

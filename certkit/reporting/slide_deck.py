@@ -12,6 +12,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from certkit.documents.unverified import MARK, is_marked
 from certkit.errors import MissingPartError, UsageError
 from certkit.exchange.csv_cells import harmless
 from certkit.plain_text import without_odd_characters
@@ -21,6 +22,7 @@ from certkit.reporting.workbook import Tinted, shown
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
 
+    from certkit.documents.output_document import OutputDocument
     from certkit.reporting.workbook import Cell
 
 TEMPLATE = "CERTKIT_PPTX_TEMPLATE"
@@ -59,8 +61,12 @@ class SlideDeck:
         When the template cannot be read.
     """
 
-    def __init__(self) -> None:
-        """Open an empty presentation, on the template where there is one."""
+    def __init__(self, document: OutputDocument | None = None) -> None:
+        """Open an empty presentation, on the template where there is one.
+
+        Of a document that was changed, every slide says so.
+        """
+        self._before = f"{MARK}: " if is_marked(document) else ""
         pptx = _part("pptx")
         named = os.environ.get(TEMPLATE)
         path = _template.get() or (Path(named) if named else None)
@@ -150,7 +156,8 @@ class SlideDeck:
         if self._own:
             shape.left, shape.top, shape.width, shape.height = 457200, 274638, WIDE - 914400, 800000
         shape.text_frame.word_wrap = True
-        shape.text_frame.text = without_odd_characters(title)
+        said = title if title.startswith(MARK) else f"{self._before}{title}"
+        shape.text_frame.text = without_odd_characters(said)
         if self._own:
             _look(shape.text_frame.paragraphs[0], 26, "#16202c", bold=True)
             shape.text_frame.paragraphs[0].alignment = _part("pptx.enum.text").PP_ALIGN.LEFT

@@ -8,12 +8,15 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from certkit.documents.unverified import MARK, is_marked
 from certkit.errors import MissingPartError
 from certkit.exchange.csv_cells import harmless
 from certkit.reporting.palette import PENS, VERDICT
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    from certkit.documents.output_document import OutputDocument
 
 MADE = datetime(1980, 1, 1, tzinfo=UTC)
 """The date that every workbook says it was made on: a clock would make each one different."""
@@ -60,8 +63,9 @@ class SheetBook:
         When XlsxWriter is not installed.
     """
 
-    def __init__(self, title: str) -> None:
-        """Open a workbook in memory."""
+    def __init__(self, title: str, document: OutputDocument | None = None) -> None:
+        """Open a workbook in memory; of a document that was changed, every sheet says so."""
+        self._above = (MARK,) if is_marked(document) else ()
         try:
             import xlsxwriter  # noqa: PLC0415  # an extra
         except ImportError as error:
@@ -100,6 +104,7 @@ class SheetBook:
         number : str
             Format of numbers.
         """
+        above = [*self._above, *above]
         key = self._name(name)
         sheet = self._book.add_worksheet(key)
         self._sheets[key] = sheet

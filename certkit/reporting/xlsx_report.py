@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.documents.unverified import is_marked
 from certkit.reporting.workbook import SheetBook
 
 if TYPE_CHECKING:
@@ -24,7 +25,8 @@ MOST_CHARTS = 4
 def write(views: Sequence[View], *, title: str | None, paper: str) -> bytes:
     """Return the workbook of one result, or of a suite."""
     del paper
-    book = SheetBook(title or views[0].result.title)
+    marked = next((view.document for view in views if is_marked(view.document)), None)
+    book = SheetBook(title or views[0].result.title, marked)
     if title is not None:
         heads = ("procedure", "title", "verdict", "criteria", "certificate")
         rows = [(v.result.procedure, v.result.title, v.result.verdict, v.tally, v.result.id) for v in views]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import zipfile
 from pathlib import Path
 
 import pypdfium2
@@ -55,6 +57,20 @@ def test_every_file_and_every_page_made_of_a_changed_document_says_so(changed: P
         assert MARK in path.read_text(encoding="utf-8"), path
     document = pypdfium2.PdfDocument(out / "report.pdf")
     assert all(MARK in page.get_textpage().get_text_bounded() for page in document)
+
+
+def test_every_sheet_and_every_slide_says_so_too(changed: Path, tmp_path: Path):
+    pytest.importorskip("pptx", reason="the extras `xlsx` and `pptx` are not installed")
+    command("report", changed, "--unverified", "--format", "xlsx,pptx", "--out", tmp_path / "office")
+    for name, part in (("report.xlsx", "xl/worksheets/sheet"), ("report.pptx", "ppt/slides/slide")):
+        with zipfile.ZipFile(tmp_path / "office" / name) as file:
+            texts = {each: file.read(each).decode() for each in file.namelist() if each.startswith(part)}
+            mark = MARK
+            if name.endswith("xlsx"):  # a sheet holds the number of a text
+                shared = re.findall(r"<t[^>]*>([^<]*)</t>", file.read("xl/sharedStrings.xml").decode())
+                mark = f'<c r="A1" s="1" t="s"><v>{shared.index(MARK)}</v></c>'
+        assert texts
+        assert all(mark in text for text in texts.values())
 
 
 def test_an_unchanged_document_is_not_marked(tmp_path: Path):
