@@ -71,6 +71,8 @@ class Drawing:
         Text alternative.
     css_class : str
         What style sheets and scripts know it by.
+    role : str
+        `img` for what is only looked at; `group` for one with links in it.
     """
 
     width: float
@@ -78,6 +80,7 @@ class Drawing:
     body: str
     title: str
     css_class: str = "figure"
+    role: str = "img"
 
     def svg(self, *, x: float | None = None, y: float | None = None) -> str:
         """Return the SVG element; with a place, as a part of another drawing."""
@@ -91,7 +94,7 @@ class Drawing:
             width=self.width,
             height=self.height,
             class_=self.css_class,
-            role="img",
+            role=self.role,
             aria_label=self.title,
             font_family=FONT,
             font_size="11",

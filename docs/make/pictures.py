@@ -25,6 +25,7 @@ SCREENS = {
     "report-phone": Screen("suite/pendulum/report.html", width=390, height=844),
     "suite": Screen("suite/index.html", height=700),
     "study": Screen("study/study.html", scroll="section:has(svg)"),
+    "campaign": Screen("campaign/campaign.html", height=1250),
     "fe-moments": Screen("compared/comparison.html", part="section:has(figure)", style=TWO_COLUMNS),
 }
 PAGES = {"certificate-1": 1, "certificate-2": 2}

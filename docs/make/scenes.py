@@ -9,6 +9,7 @@ RUNS = (
     "certkit run --procedure vehicle-fe-front --format html --out lumped-front",
     "certkit compare EXAMPLES/extract/front1/fe-run.csv lumped-front --out compared",
     "certkit study bumper.yaml --out study",
+    "certkit campaign EXAMPLES/campaign/suv.yaml --format html --out campaign",
 )
 """Run first, in turn, in a folder with the files of `how-to/vehicle.md` and `how-to/study.md`.
 

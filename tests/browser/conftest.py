@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from support import synthetic_result
+from support import synthetic_campaign, synthetic_result
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -35,6 +35,7 @@ def browser() -> Iterator[Browser]:
 @pytest.fixture(scope="session")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Write the pages that all tests look at."""
+    from certkit.reporting.campaign_page import campaign_page  # noqa: PLC0415  # likewise
     from certkit.reporting.html_report import page, suite_page  # noqa: PLC0415  # the browser tests alone need it
     from certkit.reporting.result_view import unique_views, view  # noqa: PLC0415  # likewise
 
@@ -47,4 +48,5 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name, result in results.items():
         (place / f"{name}.html").write_text(page(view(result)))
     (place / "suite.html").write_text(suite_page(unique_views(list(results.values()))))
+    (place / "campaign.html").write_text(campaign_page(synthetic_campaign.campaign()))
     return place

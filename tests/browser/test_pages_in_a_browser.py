@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 pytestmark = pytest.mark.browser
 
-PAGES = ["pendulum", "static", "measured", "suite"]
+PAGES = ["pendulum", "static", "measured", "suite", "campaign"]
 
 
 class Watched:
@@ -179,6 +179,17 @@ def test_axe_finds_nothing_that_shuts_people_out(
     page.evaluate("() => document.querySelectorAll('details').forEach(d => d.open = true)")
     found = axe.Axe().run(page).response["violations"]
     assert [(v["id"], v["nodes"][0]["html"][:120]) for v in found] == []
+    page.context.close()
+
+
+def test_a_click_on_an_impact_point_leads_to_what_is_known_of_it(browser: Browser, folder: Path) -> None:
+    page = opened(browser, folder, "campaign").page
+    page.locator("svg a.point").nth(2).click()
+    page.wait_for_function(
+        "() => { const r = document.querySelector('.card:target').getBoundingClientRect();"
+        "return r.top >= 0 && r.bottom <= innerHeight; }"
+    )
+    assert page.locator(".card:target h3").inner_text().startswith("L0")
     page.context.close()
 
 

@@ -87,7 +87,7 @@ def car_front(view: CampaignView, scheme: JudgedScheme) -> Drawing:
         f"{row.point} at {plain(reports[row.point].across)} mm: {judged_words(row)}" for row in rows
     )
     title = f"{car.name} from ahead, {scheme.title}: {said}"
-    return Drawing(WIDTH, ground + 46.0, drawn, title, "figure car")
+    return Drawing(WIDTH, ground + 46.0, drawn, title, "figure car", "group")
 
 
 def _size(document: CampaignReport, step: float) -> float:
