@@ -52,6 +52,11 @@ class Section(Document):
             for key, value in data.items()
         }
 
+    def numbers(self) -> dict[str, float]:
+        """Return the single numbers that it gives, SI, by the names that a force law has for them too."""
+        given = {name: getattr(self, name) for name in type(self).model_fields}
+        return {name: float(value) for name, value in given.items() if isinstance(value, Number)}
+
 
 class Sourced(Section):
     """A part whose numbers are texts with one origin: its own `source` and `confidence`, or inherited."""

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import ast
+from dataclasses import fields
+from functools import cache
+from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, get_args
@@ -14,13 +17,20 @@ import certkit.exchange.fe.readers as reader_files
 import certkit.grading.measures as measure_files
 import certkit.reporting
 import certkit.studies.designs as design_files
+from certkit.definitions.base import Section
 from certkit.definitions.extraction_case import Format, HistoryFiles
+from certkit.definitions.fixtures import FIXTURES
+from certkit.definitions.legform_parts import Ligament
 from certkit.definitions.measures import MEASURES, MeasureKind
 from certkit.definitions.study import DESIGNS, Design, DesignKind
 from certkit.exchange.fe import read_case_data
 from certkit.grading.measure import NoInterval, measure
 from certkit.grading.measures import method_of
 from certkit.grading.trace import EvaluationWindow
+from certkit.mechanics.force_laws import LAWS
+from certkit.mechanics.force_laws.law import ForceLaw
+from certkit.mechanics.force_laws.ligament_cable import LigamentCable
+from certkit.reporting.figure_list import FIGURES
 from certkit.reporting.language_list import languages
 from certkit.reporting.report_format import FORMATS
 from certkit.reporting.writing import render
@@ -40,20 +50,28 @@ def files(folder: str) -> set[str]:
     return {path.stem for path in (PACKAGE / folder).glob("*.py")} - {"__init__"}
 
 
-def saying(words: set[str], besides: str) -> list[str]:
-    """Return the modules that hold one of these words as text, besides the list and the languages."""
-    found = []
-    for path in sorted(PACKAGE.rglob("*.py")):
-        place = path.relative_to(PACKAGE).as_posix()
-        if place == besides or place.startswith("reporting/languages/"):
-            continue
-        texts = {
+@cache
+def texts() -> dict[str, set[str]]:
+    """Return the texts that each module holds, without those of the languages."""
+    return {
+        path.relative_to(PACKAGE).as_posix(): {
             node.value
             for node in ast.walk(ast.parse(path.read_text("utf-8")))
             if isinstance(node, ast.Constant) and isinstance(node.value, str)
         }
-        found += [f"{place}: {word}" for word in sorted(texts & words)]
-    return found
+        for path in sorted(PACKAGE.rglob("*.py"))
+        if path.parent.name != "languages"
+    }
+
+
+def saying(words: set[str], besides: str) -> list[str]:
+    """Return where one of these words stands as a text, besides the list and the languages."""
+    return [
+        f"{place}: {word}"
+        for place, found in texts().items()
+        if place != besides
+        for word in sorted(found & words)
+    ]
 
 
 def with_file(monkeypatch: pytest.MonkeyPatch, package: ModuleType, tmp_path: Path, name: str, text: str):
@@ -189,3 +207,38 @@ def test_a_reader_is_one_file_and_one_word(monkeypatch: pytest.MonkeyPatch, tmp_
     contact = read_case_data(section, tmp_path).histories.contact("1")
     assert contact.force is not None
     assert list(contact.force) == [-2000.0, -2000.0]
+
+
+def defined(folder: str, base: type) -> set[str]:
+    """Return the files of a folder that hold a class of that base."""
+    found = set()
+    for name in files(folder):
+        module = import_module(f"certkit.{folder.replace('/', '.')}.{name}")
+        kinds = [k for k in vars(module).values() if isinstance(k, type) and k.__module__ == module.__name__]
+        if any(issubclass(kind, base) and kind is not base for kind in kinds):
+            found.add(name)
+    return found
+
+
+def test_every_force_law_is_a_file_of_its_name():
+    assert {law.words().replace(" ", "_") for law in LAWS} == defined("mechanics/force_laws", ForceLaw)
+
+
+def test_every_fixture_is_a_file_and_its_model_another_of_its_name():
+    names = {fixture.field_name() for fixture in FIXTURES}
+    assert names == defined("definitions/fixtures", Section) - {"fixture"}
+    assert {f"{name}_model" for name in names} <= files("mechanics/fixtures")
+
+
+def test_a_ligaments_numbers_are_the_cable_laws_by_their_names():
+    numbers = {name for name, field in Ligament.model_fields.items() if "Number" in str(field.annotation)}
+    numbers -= {"femur", "tibia"}  # its two ends
+    assert numbers
+    assert numbers <= {field.name for field in fields(LigamentCable)}
+
+
+def test_every_figure_is_drawn_by_a_function_of_a_chart_file():
+    for entry in (entry for figures in FIGURES.values() for entry in figures.values()):
+        for place in filter(None, (entry.draw, entry.beside)):
+            module, _, function = place.partition(":")
+            assert callable(getattr(import_module(f"certkit.reporting.charts.{module}"), function))

@@ -37,9 +37,7 @@ def join_knee(
                 lower_x=bx,
                 lower_z=bz - lower,
                 length=math.hypot(ax - bx, az - bz),
-                stiffness=ligament.stiffness,
-                preload=ligament.preload,
-                damping=ligament.damping,
+                **ligament.numbers(),
             )
         )
     pressed, shear = resting_forces(knee)
