@@ -66,6 +66,18 @@ def _suite(view: View) -> ET.Element:
             "remarks": " ".join(result.remarks),
         },
     )
+    for score in result.scores:
+        name = f"score: {score.id}"
+        properties(
+            suite,
+            {
+                name: score.points,
+                f"{name}, of": score.maximum,
+                f"{name}, by": score.criterion,
+                f"{name}, colour": score.colour,
+                f"{name}, scheme": score.scheme,
+            },
+        )
     for row in view.rows:
         _criterion(suite, result, row)
     for condition in result.preconditions:

@@ -35,6 +35,7 @@ def summary(views: Sequence[View]) -> str:
 def _one(view: View) -> str:
     result = view.result
     lines = [f"### {_cell(result.title)}: {_verdict(view)}", "", view.tally]
+    lines += ["", _cell(view.points)] if view.points else []
     lines += [line for remark in result.remarks for line in ("", f"> {_cell(remark)}")]
     lines += [
         "",

@@ -12,6 +12,7 @@ from certkit.reporting.criterion_row import Row, criterion_row, figure_of, slug
 from certkit.reporting.laboratory_view import LaboratoryView, laboratory_view
 from certkit.reporting.language import ENGLISH, Language, language, worded
 from certkit.reporting.margins import margin_words, nearest_words, tally, worst
+from certkit.reporting.score_words import score_words
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -82,6 +83,7 @@ class View:
     nearest_criterion: CriterionResult | None
     nearest: str
     nearest_words: str
+    points: str
     rows: list[Row]
     sources: list[str]
     laboratory: LaboratoryView | None
@@ -245,6 +247,7 @@ def view(result: Result, *, suffix: str = "", spoken: str = ENGLISH) -> View:
         nearest_criterion=nearest,
         nearest=margin_words(nearest, chosen),
         nearest_words=nearest_words(nearest, chosen),
+        points=score_words(result, chosen),
         rows=[criterion_row(criterion, key, drawn, sources, t) for criterion in result.criteria],
         sources=sources,
         laboratory=laboratory_view(result.laboratory, t),

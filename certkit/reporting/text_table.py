@@ -98,8 +98,10 @@ def above(view: View) -> Line:
 
 
 def below(view: View) -> list[Line]:
-    """Return the lines below the table: how many passed, the error against the reference, the remarks."""
+    """Return the lines below the table: how many passed, points, the error, the remarks."""
     lines: list[Line] = [[(view.tally, "")]]
+    if view.points:
+        lines.append([(view.points, "")])
     if view.result.comparison:
         lines.append([(f"rms error against {view.result.comparison.reference}: {view.error} %", "")])
     lines += [[("! ", "yellow"), (remark, "")] for remark in view.result.remarks]

@@ -19,6 +19,11 @@ VERDICTS = MappingProxyType(
 
 WORDS = MappingProxyType(
     {
+        "green": "grün",
+        "yellow": "gelb",
+        "orange": "orange",
+        "brown": "braun",
+        "red": "rot",
         "read in somebody's account of it": "in einer Darstellung Dritter gelesen",
         "; {shown} shown, not graded.": "; {shown} nur gezeigt, nicht bewertet.",
         "All graded criteria lie inside their corridors.": "Alle bewerteten Kriterien liegen in ihren Korridoren.",

@@ -19,6 +19,11 @@ VERDICTS = MappingProxyType(
 
 WORDS = MappingProxyType(
     {
+        "green": "緑",
+        "yellow": "黄",
+        "orange": "橙",
+        "brown": "茶",
+        "red": "赤",
         "read in somebody's account of it": "二次資料で確認",
         "; {shown} shown, not graded.": "、{shown} 件は参考表示(判定外)。",
         "All graded criteria lie inside their corridors.": "判定対象の全項目がコリドー内にあります。",
