@@ -13,6 +13,7 @@ from certkit._version import __version__
 
 if TYPE_CHECKING:
     from certkit.bench.assess_campaign import campaign
+    from certkit.bench.certify import certify
     from certkit.bench.compare import compare
     from certkit.bench.export import export
     from certkit.bench.extract_vehicle import extract
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 _FILES = {
     "calibrate": "certkit.studies.calibration.calibrate_legform",
     "campaign": "certkit.bench.assess_campaign",
+    "certify": "certkit.bench.certify",
     "compare": "certkit.bench.compare",
     "export": "certkit.bench.export",
     "extract": "certkit.bench.extract_vehicle",
@@ -50,6 +52,7 @@ __all__ = [
     "__version__",
     "calibrate",
     "campaign",
+    "certify",
     "compare",
     "export",
     "extract",

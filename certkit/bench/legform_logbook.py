@@ -55,13 +55,13 @@ def logbook(
     paths = [tests] if isinstance(tests, (str, Path)) else tests
     if paths:
         add(book, [Path(path) for path in paths])
-    own = None if rules is None else _rules(Path(rules))
-    asked = _day(day) if isinstance(day, str) else day
+    own = None if rules is None else rules_of(Path(rules))
+    asked = day_of(day) if isinstance(day, str) else day
     exact = own is not None and own.serial_numbers == "exact"
     return [overview(book, serial, rules=own, day=asked) for serial in serials or book.serials(exact=exact)]
 
 
-def _rules(named: Path) -> LogbookRules:
+def rules_of(named: Path) -> LogbookRules:
     """Read own rules from a file, else the shipped ones of that name."""
     if named.suffix or named.exists():
         return read_document(named, LogbookRules)
@@ -93,7 +93,7 @@ def rebuild_index(folder: str | Path = FOLDER) -> int:
     return rebuild(Logbook(Path(folder)))
 
 
-def _day(text: str) -> date:
+def day_of(text: str) -> date:
     """Read a day.
 
     Raises

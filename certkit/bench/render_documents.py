@@ -23,6 +23,7 @@ def render(  # noqa: PLR0913  # as many as the command has options
     *,
     paper: Paper = "A4",
     language: str = "en",
+    sign: str | Path | None = None,
     force: bool = False,
     numbered: bool = False,
     tell: Callable[[str], None] = lambda _: None,
@@ -47,6 +48,8 @@ def render(  # noqa: PLR0913  # as many as the command has options
         Page size of the PDF, where there is a choice.
     language : str
         Of page and PDF: `en`, `de`, `ja`. The document's id is the same in each.
+    sign : str or Path, optional
+        PKCS #12 key that PDFs are signed with; its passphrase is taken from `CERTKIT_PASSPHRASE`.
     force : bool
         Replace another result that the folder holds. The same result again is replaced without.
     numbered : bool
@@ -70,10 +73,13 @@ def render(  # noqa: PLR0913  # as many as the command has options
     """
     folder = wanted = Path(out)
     asked = reports_of(document, formats)
+    signer = _signer(sign)
     number = 1
     while True:
         try:
-            written = _render(document, folder, asked, paper, language, force=force, tell=tell, beside=beside)
+            written = _render(
+                document, folder, asked, paper, language, signer, force=force, tell=tell, beside=beside
+            )
         except AnotherResultError:
             if not numbered:
                 raise
@@ -91,6 +97,7 @@ def _render(  # noqa: PLR0913  # what `render` is asked for
     asked: list[str],
     paper: Paper,
     language: str,
+    sign: Callable[[bytes], bytes] | None,
     *,
     force: bool,
     tell: Callable[[str], None],
@@ -106,6 +113,7 @@ def _render(  # noqa: PLR0913  # what `render` is asked for
             # From the text, whose numbers are rounded: reports are the ones that the document alone makes.
             again = document.from_json(text)
             written += render_document(again, stage, asked, paper=paper, spoken=language)
+            _sign(written, sign)
     return [folder / path.relative_to(stage) for path in written]
 
 
@@ -132,10 +140,10 @@ def render_pages(
     """
     from certkit.reporting.document_reports import render_document  # noqa: PLC0415  # as above
 
-    asked = reports_of(document, formats)
+    asked, signer = reports_of(document, formats), _signer(sign)
     with result_switch(out, document, force=force, pages_only=True) as stage:
         written = render_document(document, stage, asked, paper=paper, spoken=language)
-        _sign(written, sign)
+        _sign(written, signer)
     return [out / path.relative_to(stage) for path in written]
 
 
@@ -159,21 +167,29 @@ def render_suite(  # noqa: PLR0913  # as many as the command has options
     """
     from certkit.reporting.writing import render_suite as write  # noqa: PLC0415  # likewise
 
+    signer = _signer(sign)
     with suite_switch(Path(out), results, force=force) as stage:
         written = write(results, stage, split(formats), title=title, paper=paper, spoken=language)
-        _sign(written, sign)
+        _sign(written, signer)
     return [Path(out) / path.relative_to(stage) for path in written]
 
 
-def _sign(written: Sequence[Path], key: Path | None) -> None:
-    """Sign the PDFs among the files."""
+def _signer(key: str | Path | None) -> Callable[[bytes], bytes] | None:
+    """Open a key before anything is written; None where nothing is to be signed."""
     if key is None:
-        return
-    from certkit.reporting.signing import sign  # noqa: PLC0415  # an extra
+        return None
+    from certkit.reporting.signing import signer_of  # noqa: PLC0415  # an extra
 
+    return signer_of(Path(key))
+
+
+def _sign(written: Sequence[Path], sign: Callable[[bytes], bytes] | None) -> None:
+    """Sign the PDFs among the files."""
+    if sign is None:
+        return
     for path in written:
         if path.suffix == ".pdf":
-            write_whole(path, sign(path.read_bytes(), key))
+            write_whole(path, sign(path.read_bytes()))
 
 
 def reports_of(

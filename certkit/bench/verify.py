@@ -18,18 +18,22 @@ from certkit.bench.verification import Check, Verification, fails, holds, judged
 from certkit.bench.verify_attachments import carried_checks, manifest_checks
 from certkit.bench.verify_document import document_checks, table_check
 from certkit.bench.verify_grading import grading_checks
+from certkit.bench.verify_legform_certificate import LOGBOOK, legform_checks, logbook_check
+from certkit.bench.verify_replacement import replacement_checks
 from certkit.bench.verify_reports import report_checks
 from certkit.bench.verify_reproduction import reproduction_checks
 from certkit.bench.verify_sources import definition_checks, source_checks
 from certkit.documents.document_kinds import document_in, documents_from
+from certkit.documents.legform_certificate import LegformCertificate
 from certkit.documents.result import Result
 from certkit.errors import DataError, OldFormWarning, UsageError
 from certkit.files.bounded import read_bounded
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from certkit.bench.pdf_attachments import Attached
+    from certkit.bench.verify_pages import Printed
 
 
 @dataclass(frozen=True)
@@ -39,6 +43,7 @@ class Wanted:
     data: tuple[Path, ...] = ()
     trust: Path | None = None
     quick: bool = False
+    others: tuple[Result, ...] = ()
 
 
 def verify(
@@ -47,6 +52,7 @@ def verify(
     *,
     trust: str | Path | None = None,
     quick: bool = False,
+    others: Sequence[str | Path] = (),
 ) -> Verification:
     """Check a certificate.
 
@@ -61,6 +67,8 @@ def verify(
         Certificates (PEM or DER) of the roots that the signer of a PDF has to be vouched for by.
     quick : bool
         Do not simulate a simulated certificate again.
+    others : sequence of str or Path
+        Other certificates: a report that one of them replaced does not hold any more.
 
     Raises
     ------
@@ -70,12 +78,17 @@ def verify(
         When a file of `trust` or `data` is missing.
     """
     path = Path(path)
-    wanted = Wanted(tuple(map(Path, data)), None if trust is None else Path(trust), quick)
+    beside = tuple(result for other in others if Path(other) != path for result in results_in(Path(other)))
+    wanted = Wanted(tuple(map(Path, data)), None if trust is None else Path(trust), quick, beside)
     for given in (*wanted.data, *((wanted.trust,) if wanted.trust else ())):
         if not given.exists():
             raise UsageError(f"{given}: there is no such file or folder")
     if path.is_dir():
         return _folder(path, wanted)
+    return _file(path, wanted)
+
+
+def _file(path: Path, wanted: Wanted) -> Verification:
     if path.suffix.lower() == ".pdf":
         return _pdf(path, wanted)
     content = read_bounded(path)
@@ -86,7 +99,10 @@ def verify(
         checks += document_checks(path.name, content, document, bytes_matter=len(documents) == 1)
         if isinstance(document, Result):
             checks += _content_checks(document, wanted)
-    verdicts = tuple(document.verdict for document in documents if isinstance(document, Result))
+        if isinstance(document, LegformCertificate):
+            checks += legform_checks(document, lambda result: _content_checks(result, wanted))
+    graded = (document for document in documents if isinstance(document, Result | LegformCertificate))
+    verdicts = tuple(document.verdict for document in graded)
     return Verification(str(path), tuple(document.id for document in documents), tuple(checks), verdicts)
 
 
@@ -104,6 +120,7 @@ def _content_checks(result: Result, wanted: Wanted) -> list[Check]:
             *reproduction_checks(result, quick=wanted.quick),
             *definition_checks(result),
             *source_checks(result, wanted.data),
+            *replacement_checks(result, wanted.others),
         ]
 
 
@@ -112,7 +129,7 @@ def _folder(path: Path, wanted: Wanted) -> Verification:
     if document is None:
         raise DataError(f"{path}: no result.json in it; name the folder of one run, a result.json or a PDF")
     if document.name != Result.file_name:
-        return verify(document)
+        return _file(document, wanted)
     content = read_bounded(document)
     result = Result.from_json(content, str(document))
     checks = [*document_checks("result.json", content, result), *report_checks(path, result)]
@@ -134,6 +151,8 @@ def _pdf(path: Path, wanted: Wanted, *, content_too: bool = True) -> Verificatio
     attached = attachments_of(path, content)
     checks = list(manifest_checks(attached))
     results: list[Result] = []
+    if LegformCertificate.file_name in attached.files:
+        return _legform_pdf(path, content, attached, checks, wanted)
     for name, held in sorted(attached.files.items()):
         if name != "result.json" and not name.endswith("-result.json"):
             continue
@@ -152,9 +171,45 @@ def _pdf(path: Path, wanted: Wanted, *, content_too: bool = True) -> Verificatio
             f"{path}: no result.json is attached; only certificates that certkit wrote can be verified"
         )
     results, listed = _ordered(results, attached)
-    checks += [listed, *_paper_checks(path, content, results, attached, wanted)]
+    checks.append(listed)
+    checks += _paper_checks(path, content, lambda: _printed(results, attached), wanted)
     verdicts = tuple(result.verdict for result in results)
     return Verification(str(path), tuple(result.id for result in results), tuple(checks), verdicts)
+
+
+def _legform_pdf(
+    path: Path, content: bytes, attached: Attached, checks: list[Check], wanted: Wanted
+) -> Verification:
+    name = LegformCertificate.file_name
+    document = LegformCertificate.from_json(attached.files[name], name)
+    checks += document_checks(name, attached.files[name], document)
+    checks += legform_checks(document, lambda result: _content_checks(result, wanted))
+    checks.append(logbook_check(document, attached.files.get(LOGBOOK, b"")))
+    checks += _paper_checks(path, content, lambda: _printed_certificate(document, attached), wanted)
+    return Verification(str(path), (document.id,), tuple(checks), (document.verdict,))
+
+
+def results_in(path: Path) -> list[Result]:
+    """Return the results of a document, of a PDF, or of a run's folder.
+
+    Raises
+    ------
+    DataError
+        When it is none of them.
+    """
+    if path.is_dir():
+        path = document_in(path) or path
+    if path.suffix.lower() == ".pdf":
+        texts = {name: text for name, text in attachments_of(path).files.items() if name.endswith(".json")}
+    else:
+        texts = {str(path): read_bounded(path)}
+    found = [document for name, text in texts.items() for document in documents_from(text, name)]
+    return [
+        result
+        for document in found
+        for result in (document.results if isinstance(document, LegformCertificate) else [document])
+        if isinstance(result, Result)
+    ]
 
 
 def _ordered(results: list[Result], attached: Attached) -> tuple[list[Result], Check]:
@@ -166,19 +221,34 @@ def _ordered(results: list[Result], attached: Attached) -> tuple[list[Result], C
     return sorted(results, key=lambda result: order.get(result.id, len(order))), check
 
 
+def _printed(results: list[Result], attached: Attached) -> Printed:
+    """Return what the PDF of results should be."""
+    from certkit.bench.verify_pages import Printed, rendered_again  # noqa: PLC0415  # only for a PDF
+
+    return Printed.of(results, rendered_again(results, attached))
+
+
+def _printed_certificate(document: LegformCertificate, attached: Attached) -> Printed:
+    """Return what the PDF of a legform's certificate should be."""
+    from certkit.bench.verify_pages import Printed, certificate_again  # noqa: PLC0415  # only for a PDF
+
+    return Printed.of(document.results, certificate_again(document, attached), [document.id])
+
+
 def _paper_checks(
-    path: Path, content: bytes, results: list[Result], attached: Attached, wanted: Wanted
+    path: Path, content: bytes, rendered: Callable[[], Printed], wanted: Wanted
 ) -> Iterator[Check]:
     """Check the PDF as a file, its signatures, and its pages."""
     from certkit.bench.pdf_pages import pdf_pages  # noqa: PLC0415  # PDFium and WeasyPrint: only for a PDF
-    from certkit.bench.verify_pages import page_checks, rendered_again  # noqa: PLC0415  # likewise
+    from certkit.bench.verify_pages import page_checks  # noqa: PLC0415  # likewise
     from certkit.bench.verify_pdf_file import file_checks, first_revision, update_checks  # noqa: PLC0415  # likewise
     from certkit.bench.verify_signature import signature_checks, signature_count  # noqa: PLC0415  # likewise
 
     signatures = signature_count(content)
     pages = pdf_pages(content, str(path))
     yield from signature_checks(content, wanted.trust)
-    made = rendered_again(results, attached)
+    printed = rendered()
+    made = printed.made
     before = first_revision(content)
     if isinstance(made, bytes) and content.rstrip(b"\r\n") == made.rstrip(b"\r\n"):
         yield holds("file", "file-structure-holds")
@@ -187,9 +257,9 @@ def _paper_checks(
         if before is not content:
             yield from update_checks(pdf_pages(before, str(path)), pages)
     if signatures and before is not content:
-        yield from page_checks(before, pdf_pages(before, str(path)), results, made)
+        yield from page_checks(before, pdf_pages(before, str(path)), printed)
     else:
-        yield from page_checks(content, pages, results, made)
+        yield from page_checks(content, pages, printed)
 
 
 def _result(content: bytes, name: str, found: list[Check]) -> Result:

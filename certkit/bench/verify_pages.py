@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from difflib import SequenceMatcher
 from importlib.metadata import version
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 
     from certkit.bench.pdf_attachments import Attached
     from certkit.bench.pdf_pages import PdfPage
+    from certkit.documents.legform_certificate import LegformCertificate
     from certkit.documents.result import Result
 
 WHAT = "pages"
@@ -31,11 +33,33 @@ CONTRAST = 64
 """Of 255 grey values, by which a dot has to differ to count."""
 
 
-def rendered_again(results: Sequence[Result], attached: Attached) -> bytes | Check:
-    """Return the PDF that the attached documents render to, or why it cannot be rendered."""
+def _of_another_version(results: Sequence[Result]) -> Check | None:
     others = [r.provenance.certkit for r in results if r.provenance.certkit != __version__]
     if others:
         return unchecked(WHAT, "pages-of-another-version", version=others[0], now=__version__)
+    return None
+
+
+def certificate_again(document: LegformCertificate, attached: Attached) -> bytes | Check:
+    """Return the PDF that a legform's certificate renders to, or why it cannot be rendered."""
+    others = _of_another_version(document.results)
+    if others:
+        return others
+    from certkit.reporting.legform_certificate_report import certificate_pdf  # noqa: PLC0415  # WeasyPrint, 1 s
+
+    try:
+        return certificate_pdf(
+            document, paper=attached.paper, spoken=attached.language, created=attached.created
+        )
+    except CertkitError as error:
+        return unchecked(WHAT, "pages-not-renderable", error=" ".join(str(error).split()))
+
+
+def rendered_again(results: Sequence[Result], attached: Attached) -> bytes | Check:
+    """Return the PDF that the attached documents render to, or why it cannot be rendered."""
+    others = _of_another_version(results)
+    if others:
+        return others
     from certkit.reporting.pdf_report import certificate  # noqa: PLC0415  # WeasyPrint takes a second
     from certkit.reporting.result_view import unique_views  # noqa: PLC0415  # likewise
 
@@ -52,9 +76,24 @@ def rendered_again(results: Sequence[Result], attached: Attached) -> bytes | Che
         return unchecked(WHAT, "pages-not-renderable", error=" ".join(str(error).split()))
 
 
-def page_checks(
-    content: bytes, pages: Sequence[PdfPage], results: Sequence[Result], made: bytes | Check
-) -> Iterator[Check]:
+@dataclass(frozen=True)
+class Printed:
+    """What a PDF should be: how it renders again, or why it cannot; its ids; the WeasyPrints that made it."""
+
+    made: bytes | Check
+    ids: tuple[str, ...]
+    engines: frozenset[str]
+    several: bool = False
+
+    @classmethod
+    def of(cls, results: Sequence[Result], made: bytes | Check, ids: Sequence[str] = ()) -> Self:
+        """Return it for results, or for what has an id of its own and was made of them."""
+        engines = frozenset(result.provenance.packages.get("weasyprint", "") for result in results)
+        own = tuple(ids or [result.id for result in results])
+        return cls(made, own, engines, several=len(own) > 1)
+
+
+def page_checks(content: bytes, pages: Sequence[PdfPage], printed: Printed) -> Iterator[Check]:
     """Check that the pages are what the attached documents render to.
 
     Parameters
@@ -63,18 +102,16 @@ def page_checks(
         The file as it is, or as it was before it was signed.
     pages : sequence of PdfPage
         Its pages.
-    results : sequence of Result
-        The attached documents.
-    made : bytes or Check
-        From `rendered_again`.
+    printed : Printed
+        What they should be.
     """
+    made = printed.made
     blank = [number for number, page in enumerate(pages, 1) if not page.text and page.picture.min() > 250]
     if isinstance(made, Check):
         yield from (fails(WHAT, "page-blank", page=number) for number in blank)
-        ids = [result.id for result in results]
         for number, page in enumerate(pages, 1):
-            contents = len(results) > 1 and number == 1
-            if number not in blank and not contents and not any(each in page.text for each in ids):
+            contents = printed.several and number == 1
+            if number not in blank and not contents and not any(each in page.text for each in printed.ids):
                 yield fails(WHAT, "page-foreign", page=number)
         yield made
         return
@@ -87,7 +124,7 @@ def page_checks(
         yield fails(WHAT, "page-count", said=len(pages), made=len(wanted))
         return
     installed = version("weasyprint")
-    recorded = {result.provenance.packages.get("weasyprint", "") for result in results}
+    recorded = printed.engines
     found = list(_compared(pages, wanted, "" if recorded == {installed} else ", ".join(sorted(recorded))))
     if found:
         yield from found

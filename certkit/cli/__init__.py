@@ -17,6 +17,7 @@ from certkit._version import __version__
 from certkit.cli import (
     calibrate_command,
     campaign_command,
+    certify_command,
     compare_command,
     confirm_command,
     export_command,
@@ -64,6 +65,7 @@ app.command("run", rich_help_panel=TESTS)(run_command.run)
 app.command("grade", rich_help_panel=TESTS)(grade_command.grade)
 app.command("compare", rich_help_panel=TESTS)(compare_command.compare)
 app.command("campaign", rich_help_panel=TESTS)(campaign_command.campaign)
+app.command("certify", rich_help_panel=TESTS)(certify_command.certify)
 app.command("report", rich_help_panel=TESTS)(report_command.report)
 app.command("figure", rich_help_panel=TESTS)(figure_command.figure)
 app.command("export", rich_help_panel=TESTS)(export_command.export)

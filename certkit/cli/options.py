@@ -37,6 +37,14 @@ Language = Annotated[
 Force = Annotated[
     bool, typer.Option("--force", help="Overwrite another result that stands where this one goes.")
 ]
+Sign = Annotated[
+    Path | None,
+    typer.Option(
+        "--sign",
+        metavar="KEY.p12",
+        help="Sign the PDFs with this PKCS #12 key; its passphrase comes from CERTKIT_PASSPHRASE.",
+    ),
+]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only the verdict table and errors.")]
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Also tell what is done, step by step.")]
 Unverified = Annotated[

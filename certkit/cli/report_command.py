@@ -42,14 +42,7 @@ def report(
     ] = None,
     language: options.Language = "en",
     paper: Annotated[Paper, typer.Option("--paper", help="Page size of the PDF.")] = Paper.A4,
-    sign: Annotated[
-        Path | None,
-        typer.Option(
-            "--sign",
-            metavar="KEY.p12",
-            help="Sign the PDFs with this PKCS #12 key; its passphrase is taken from CERTKIT_PASSPHRASE.",
-        ),
-    ] = None,
+    sign: options.Sign = None,
     template: Annotated[
         Path | None,
         typer.Option(

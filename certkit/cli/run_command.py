@@ -47,6 +47,7 @@ def run(
     out: options.Out = None,
     formats: options.Formats = options.DEFAULT_FORMATS,
     language: options.Language = "en",
+    sign: options.Sign = None,
     force: options.Force = False,
     overrides: options.Overrides = None,
     library: options.Libraries = None,
@@ -89,6 +90,7 @@ def run(
                     target,
                     wanted,
                     language=language,
+                    sign=sign,
                     force=force,
                     numbered=out is None,
                     tell=terminal.tell,
@@ -104,7 +106,12 @@ def run(
         if len(results) > 1:
             try:
                 render_suite(
-                    results, out or Path("runs"), wanted, language=language, force=force or out is None
+                    results,
+                    out or Path("runs"),
+                    wanted,
+                    language=language,
+                    sign=sign,
+                    force=force or out is None,
                 )
             except CertkitError as error:
                 failures.append(error)

@@ -48,7 +48,7 @@ def verify(
 
     Exit code 0 when it holds, 1 when it does not, 2 when it cannot be read, 4 when nothing speaks against it
     but something could not be checked. What nobody asked for (recordings that were not named, `--quick`) is
-    told as well, and does not count.
+    told as well, and does not count. A report that another of the named certificates replaced does not hold.
     """
     import json  # noqa: PLC0415  # waits until a certificate is verified
 
@@ -62,7 +62,7 @@ def verify(
     if not all(path.exists() for path in certificate):
         missing = next(path for path in certificate if not path.exists())
         raise UsageError(f"{missing}: there is no such file or folder")
-    found = [check(path, data, trust=trust, quick=quick) for path in certificates]
+    found = [check(path, data, trust=trust, quick=quick, others=certificates) for path in certificates]
     if as_json:
         typer.echo(json.dumps([_plain(each) for each in found], ensure_ascii=False, indent=1))
     else:

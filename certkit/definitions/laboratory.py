@@ -63,7 +63,7 @@ class TestDetails(Document):
     place: Annotated[Words | None, Field(description="Where it was tested, if not at the laboratory.")] = None
     method_deviations: Words | None = None
     replaces: Annotated[
-        Words | None, Field(description="Id of the report that this one replaces: `3F9A-1C07-8B2E-44D1`.")
+        Words | None, Field(description="Number of the report that this one replaces, or its id.")
     ] = None
     reason: Annotated[Words | None, Field(description="Why the earlier report is replaced.")] = None
     changes: Annotated[Words | None, Field(description="What is changed against the earlier report.")] = None
@@ -85,7 +85,7 @@ class Person(Document):
     name: Words
     role: Annotated[Words, Field(description="`performed the test`, `authorised the report`.")]
     signs: Annotated[
-        bool, Field(description="Has a line for a signature; where nobody has, the first two get one.")
+        bool, Field(description="Has a line for a signature; others get one until there are two.")
     ] = False
 
 

@@ -24,6 +24,7 @@ DOCUMENTS = MappingProxyType(
         "optimum-report": "certkit.documents.optimum_report:OptimumReport",
         "calibration-report": "certkit.documents.calibration_report:CalibrationReport",
         "campaign-report": "certkit.documents.campaign_report:CampaignReport",
+        "legform-certificate": "certkit.documents.legform_certificate:LegformCertificate",
         "logbook-overview": "certkit.documents.logbook_overview:LegOverview",
         "uncertainty-report": "certkit.documents.uncertainty_report:UncertaintyReport",
         "twin": "certkit.documents.twin_report:TwinReport",

@@ -19,6 +19,7 @@ class TestLine(Part):
     procedure: str
     verdict: str
     id: str
+    replaced_by: Annotated[str | None, Field(description="Id of the report that replaced it.")] = None
 
 
 class Validity(Part):
@@ -70,6 +71,8 @@ class LegOverview(OutputDocument):
     serial: str
     day: Annotated[str, Field(description="The day it is drawn up for.")]
     rules: str
+    certified_by: Annotated[list[str], Field(description="Procedures that the rules ask for.")] = []
+    serial_numbers: Annotated[str, Field(description="How serial numbers are told apart.")] = "without case"
     state: Literal["valid", "due", "revoked", "never certified"]
     tests: list[TestLine]
     counts: Annotated[dict[str, int], Field(description="Tests by procedure.")]

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from certkit.errors import DataError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from certkit.documents.result import Result
 
 
@@ -54,6 +56,12 @@ class LogbookEntry:
         In the procedure's order.
     recordings : tuple of str
         Hashes of the data that were graded.
+    revision : int
+        Of the report.
+    replaces : str
+        Id or number of the report that this one replaces; empty for a first report.
+    laboratory : str
+        Who reported it.
     """
 
     id: str
@@ -65,6 +73,16 @@ class LogbookEntry:
     kind: str
     readings: tuple[Reading, ...]
     recordings: tuple[str, ...] = ()
+    revision: int = 0
+    replaces: str = ""
+    laboratory: str = ""
+
+    def takes_the_place_of(self, earlier: LogbookEntry) -> bool:
+        """Tell whether this report replaces another: it names its id, or an earlier revision's number."""
+        if not self.replaces or earlier.id == self.id:
+            return False
+        named = self.replaces == earlier.number and self.laboratory == earlier.laboratory
+        return self.replaces == earlier.id or (named and earlier.revision < self.revision)
 
     @property
     def test_key(self) -> tuple[str, str, tuple[str, ...]]:
@@ -76,6 +94,12 @@ class LogbookEntry:
         """Key that puts tests into the order in which they were done."""
         parts = re.findall(r"\d+|\D+", self.number)
         return self.day, [(0, int(p), "") if p.isdigit() else (1, 0, p) for p in parts], self.id
+
+
+def replacements(entries: Iterable[LogbookEntry]) -> dict[str, str]:
+    """Return the id of the report that took the place of each replaced one, by the id of the latter."""
+    listed = list(entries)
+    return {old.id: new.id for new in listed if new.replaces for old in listed if new.takes_the_place_of(old)}
 
 
 def entry_of(result: Result, place: str) -> LogbookEntry:
@@ -105,7 +129,8 @@ def entry_of(result: Result, place: str) -> LogbookEntry:
         day = date.fromisoformat(str(performed))
     except ValueError as error:
         raise DataError(f"{place}: `test: performed` is no date; grade the test with --lab") from error
-    number = test.get("number") if isinstance(test, dict) else None
+    told = test if isinstance(test, dict) else {}
+    number, revision = told.get("number"), told.get("revision")
     return LogbookEntry(
         id=result.id,
         serial=serial.strip(),
@@ -118,5 +143,8 @@ def entry_of(result: Result, place: str) -> LogbookEntry:
             Reading(c.id, c.title, c.value, c.unit, c.lower, c.upper, c.verdict if c.graded else "")
             for c in result.criteria
         ),
+        revision=revision if isinstance(revision, int) else 0,
+        replaces=str(told.get("replaces") or "").strip(),
+        laboratory=str(header.get("laboratory") or ""),
         recordings=tuple(sorted(i.sha256 for i in result.provenance.inputs if i.role == "recording")),
     )

@@ -22,10 +22,10 @@ from certkit.documents.result import Result
 from certkit.errors import DataError
 from certkit.files import write_whole
 from certkit.files.bounded import read_bounded
-from certkit.logbooks.logbook_entry import LogbookEntry, Reading, entry_of, serial_key
+from certkit.logbooks.logbook_entry import LogbookEntry, Reading, entry_of, replacements, serial_key
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Sequence
     from pathlib import Path
 
 INDEX = "index.json"
@@ -69,6 +69,24 @@ class Logbook:
         wanted = serial_key(serial, exact=exact)
         found = [entry for entry in self._entries() if serial_key(entry.serial, exact=exact) == wanted]
         return sorted(found, key=lambda entry: entry.order)
+
+    def replaced(self) -> dict[str, str]:
+        """Return the id of the report that took the place of each replaced one, in the whole logbook."""
+        return replacements(self._entries())
+
+    def result(self, entry_id: str) -> Result:
+        """Return the document of a test.
+
+        Raises
+        ------
+        DataError
+            When the logbook has none of that id.
+        """
+        with _locked(self):
+            names = [name for name, entry in _agreed(self).items() if entry.id == entry_id]
+        if not names:
+            raise DataError(f"{self.folder}: has no test {entry_id}")
+        return Result.read(self.documents / names[0])
 
     def _entries(self) -> list[LogbookEntry]:
         if not self.documents.is_dir():
@@ -204,18 +222,21 @@ def _read(path: Path) -> tuple[LogbookEntry, bytes, Path]:
 
 
 def _refuse_second_gradings(
-    read: Iterable[tuple[LogbookEntry, bytes, Path]], kept: Iterable[LogbookEntry]
+    read: Sequence[tuple[LogbookEntry, bytes, Path]], kept: Iterable[LogbookEntry]
 ) -> None:
     """One test counts once, however often it was graded: which grading stands is for people to say."""
-    held = {entry.test_key: entry for entry in kept if entry.recordings}
+    kept = list(kept)
+    replaced = replacements((*kept, *(entry for entry, _, _ in read)))
+    held = {entry.test_key: entry for entry in kept if entry.recordings and entry.id not in replaced}
     for entry, _, path in read:
-        if not entry.recordings:
+        if not entry.recordings or entry.id in replaced:
             continue
         other = held.setdefault(entry.test_key, entry)
         if other.id != entry.id:
             raise DataError(
                 f"{path}: this recording is in the logbook already, as {other.id} ({other.procedure}, "
-                f"{other.day}, {other.verdict}); to book another grading, take that out of `{DOCUMENTS}/`"
+                f"{other.day}, {other.verdict}); to book another grading, amend that one (`replaces` in "
+                f"the laboratory's file), or take it out of `{DOCUMENTS}/`"
             )
 
 

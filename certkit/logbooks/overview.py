@@ -81,13 +81,17 @@ def overview(
     asked = day or entries[-1].day
     # Tests after the day that is asked for had not been done then.
     entries = [entry for entry in entries if entry.day <= asked]
+    replaced = logbook.replaced()
+    booked, entries = entries, [entry for entry in entries if entry.id not in replaced]
     lines = [validity(rule, entries, asked) for rule in rules.rules]
-    certifying = {name for rule in rules.rules for name in rule.certified_by}
+    certifying = list(dict.fromkeys(name for rule in rules.rules for name in rule.certified_by))
     states = {line.state for line in lines}
     return LegOverview(
         serial=serial,
         day=asked.isoformat(),
         rules=rules.title,
+        certified_by=certifying,
+        serial_numbers=rules.serial_numbers,
         state=next(state for state in _STATES if state in states),
         tests=[
             TestLine(
@@ -96,8 +100,9 @@ def overview(
                 procedure=entry.procedure,
                 verdict=entry.verdict,
                 id=entry.id,
+                replaced_by=replaced.get(entry.id),
             )
-            for entry in entries
+            for entry in booked
         ],
         counts=dict(sorted(Counter(entry.procedure for entry in entries).items())),
         validity=lines,

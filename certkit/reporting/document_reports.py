@@ -66,6 +66,9 @@ REPORTS = {
     "certkit-study/1": DocumentReport("certkit.reporting.study_pages:render_study"),
     "certkit-optimum/1": DocumentReport("certkit.reporting.study_pages:render_optimum"),
     "certkit-fit/1": DocumentReport("certkit.reporting.study_pages:render_calibration"),
+    "certkit-certificate/1": DocumentReport(
+        "certkit.reporting.legform_certificate_report:render_certificate", _PAPER, _PAPER, takes_paper=True
+    ),
     "certkit-logbook/1": DocumentReport("certkit.reporting.logbook_page:render_logbook"),
     "certkit-uncertainty/1": DocumentReport("certkit.reporting.uncertainty_page:render_uncertainty"),
     "certkit-twin/1": DocumentReport("certkit.reporting.twin_page:render_twin"),

@@ -252,7 +252,8 @@ def _persons(header: object) -> list[tuple[str, str, bool]]:
 
 
 def _signatories(persons: Sequence[tuple[str, str, bool]]) -> list[tuple[str, str]]:
-    """Return who signs: those that are marked, else the first two; blank lines for those who are missing."""
+    """Return who signs: those that are marked, then others up to two, then lines to be filled in by hand."""
     chosen = [(name, role) for name, role, signs in persons if signs]
-    chosen = chosen or [(name, role) for name, role, _ in persons[:SIGNATORIES]]
+    others = [(name, role) for name, role, signs in persons if not signs]
+    chosen += others[: max(0, SIGNATORIES - len(chosen))]
     return chosen + [("", "")] * (SIGNATORIES - len(chosen))

@@ -95,6 +95,12 @@ VERIFICATION_WORDS: Mapping[str, str] = MappingProxyType(
             "version to check them"
         ),
         "pages-not-renderable": "cannot be rendered here: {error}",
+        # A legform's certificate, and reports that were replaced.
+        "certificate-refused": "{error}",
+        "replaced-by": (
+            "was replaced by {number}, revision {revision} ({id}), issued on {issued}; reason: {reason}; "
+            "changed: {changes}"
+        ),
         # The signature.
         "unsigned": "there is none",
         "unsigned-though-trust": "there is none, and --trust asks for one",

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 BLOCK = re.compile(r"^```(yaml|console|python)[^\n]*\n(.*?)^```$", re.DOTALL | re.MULTILINE)
-PROGRAMS = ("certkit", "cp", "gunzip", "mkdir")
+PROGRAMS = ("certkit", "cp", "export", "gunzip", "mkdir")
 
 
 @dataclass(frozen=True)

@@ -27,6 +27,8 @@ from certkit.documents.optimum_report import OptimumReport
 from certkit.documents.output_document import OutputDocument, listed_json
 from certkit.documents.study_report import StudyReport
 from certkit.errors import DataError, UsageError
+from certkit.logbooks import Issue, certificate_of
+from certkit.reporting.language import worded
 from certkit.studies.factors import Factor, Levels, NormalFactor, Triangular, Uniform
 from certkit.studies.study_documents import study_report
 from certkit.studies.study_findings import Findings
@@ -57,6 +59,26 @@ def _study() -> StudyReport:
         Findings("toy", "A <toy>", "latin hypercube", FACTORS, table, effects, output_units={"p/T1": "N·m"})
     )
 
+
+LEG = LegOverview(
+    serial="FLX/7",
+    day="2026-03-31",
+    rules="rules",
+    state="valid",
+    tests=[],
+    counts={},
+    validity=[
+        Validity(
+            rule="count",
+            title="tests",
+            state="valid",
+            why="few tests",
+            source="a text",
+            confidence="recalled",
+        )
+    ],
+    trends=[],
+).with_id()
 
 DOCUMENTED: dict[str, OutputDocument] = {
     "result": synthetic_result.static_result().with_id(),
@@ -142,24 +164,9 @@ DOCUMENTED: dict[str, OutputDocument] = {
         open_directions=[OpenDirection(spread=0.9, parts={"a": 1.0})],
     ).with_id(),
     "campaign-report": synthetic_campaign.campaign(),
-    "logbook-overview": LegOverview(
-        serial="FLX/7",
-        day="2026-03-31",
-        rules="rules",
-        state="valid",
-        tests=[],
-        counts={},
-        validity=[
-            Validity(
-                rule="count",
-                title="tests",
-                state="valid",
-                why="few tests",
-                source="a text",
-                confidence="recalled",
-            )
-        ],
-        trends=[],
+    "logbook-overview": LEG,
+    "legform-certificate": worded(
+        certificate_of(LEG.model_copy(update={"certified_by": ["pendulum"]}).with_id(), [], Issue())
     ).with_id(),
 }
 

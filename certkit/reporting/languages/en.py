@@ -86,6 +86,12 @@ REASONS = MappingProxyType(
             "{criterion} is not determined by the certification tests: legs that pass them gi"
             "ve {low:.4g} to {high:.4g} {unit}."
         ),
+        "certificate-test-missing": "{procedure} is missing: the logbook has no test of it.",
+        "certificate-test": "{procedure} is {verdict:verdict}: {reasons:list}.",
+        "certificate-criteria": "{criteria:list} {verdict:verdict}",
+        "certificate-no-limits": "no limits are known to grade it by",
+        "certificate-overdue": "On the day of issue a certification is due: {rule} ({why}).",
+        "certificate-scope": "Rests on the last measured test of each procedure of the legform {serial}, by “{rules}”; not a calibration certificate of its sensors.",
         # Decision rules.
         "simple-acceptance": "simple acceptance",
         "guard-band": "guard band w = {ratio:g}·U (ILAC-G8:09/2019)",
