@@ -149,6 +149,11 @@ def _show(result: ExtractionResult, target: Path) -> None:
             f"{material.rms_percent:.1f} % rms, "
             f"{material.mean_percent:+.1f} % in the mean against the material's curve"
         )
+    from certkit.reporting.extraction_text import channels_table  # noqa: PLC0415  # not for `--help`
+
+    table = channels_table(result)
+    if table:
+        typer.echo(f"\n{table}\n")
     for check in result.checks:
         typer.echo(_sentence(check))
     typer.echo(f"look at {target / 'extraction.html'}", err=True)

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from certkit.documents.result import CriterionResult, Result
 
+FLESH_DEPTH = "flesh depth over its thickness"
 CERTIFYING = ("pendulum", "inverse")
 STEPS = (20.0, 10.0, 5.0, 2.5)
 """Time steps of the refinement, µs."""
@@ -43,6 +44,7 @@ def procedures_table(results: dict[str, Result]) -> str:
                 f"{quality.energy_error_percent:.3f} %",
                 f"{quality.joint_gap_mm:.4f} mm",
                 f"{quality.penetration_mm:.2f} mm" if quality.penetration_mm is not None else "",
+                next((f"{c.value:.0f} %" for c in quality.checks if c.title == FLESH_DEPTH), "–"),
                 "–" if change is None else f"{change:.3f} %",
                 f"{quality.steps:,}".replace(",", "\u202f"),
                 f"{quality.time_step * 1e6:g} µs",
@@ -54,6 +56,7 @@ def procedures_table(results: dict[str, Result]) -> str:
         "energy error",
         "joint gap",
         "penetration",
+        "flesh depth of its thickness",
         "step halved",
         "steps",
         "time step",

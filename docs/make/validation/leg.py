@@ -56,6 +56,27 @@ def variants_table(found: dict[str, Comparison]) -> str:
     return table(("error in %", *(row.channel for row in first.rows), "rms"), rows)
 
 
+def prediction_table(tell: Callable[[str], None]) -> str:
+    """Fit the ram's contact alone to Table 1, with the leg as it is, and leave each value out in turn."""
+    tell("predict Table 1")
+    report = certkit.calibrate("seed-table-1").report
+    rows = []
+    for value in report.values:
+        if not isinstance(value.after, float):
+            continue
+        left = value.left_out
+        rows.append(
+            (
+                value.name.partition("/")[2] or value.name,
+                figure(value.aim),
+                figure(value.after),
+                f"{signed(100 * (value.after / value.aim - 1))} %",
+                f"{signed(100 * (left / value.aim - 1))} %" if isinstance(left, float) else "–",
+            )
+        )
+    return table(("channel", "test, N·m", "model, N·m", "error", "predicted by the other six"), rows)
+
+
 def tension_sentences(found: dict[str, Comparison]) -> str:
     """Say what the flesh's tension and the hanger do, in the numbers of these runs."""
     held, strong, loose = (f"flesh fitted, {words}" for words in ("with its tension", *_OTHER_TENSIONS))

@@ -19,7 +19,7 @@ def validation(tell: Callable[[str], None]) -> str:
     results = bench.all_procedures(tell)
     changed = leg.variants(tell)
     kin = leg.family_results(tell, ("pendulum", "inverse", "inverse-seed"))
-    front = results["vehicle-fe-front"]
+    front = extraction.front_checks(tell)
     steps = bench.steps_table("inverse", tell)
     bumpers = extraction.bumpers_table(tell)
     tell("run the physics tests")
@@ -35,6 +35,8 @@ def validation(tell: Callable[[str], None]) -> str:
         family=leg.family_table(kin),
         followed=recorded_leg.followed_table(tell),
         bumpers=bumpers,
-        first_peaks=extraction.first_peaks_table(front),
-        peaks=extraction.peaks_table(front.comparison) if front.comparison else "",
+        front=extraction.front_words(front),
+        channels=extraction.channels_table(front),
+        groups=extraction.groups_table(front),
+        predicted=leg.prediction_table(tell),
     )
