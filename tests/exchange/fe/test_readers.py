@@ -116,6 +116,16 @@ def test_a_binout_tells_the_same_as_the_native_file(native: PartHistories) -> No
     assert other.part("impactor").momentum[0] == pytest.approx(66.6, rel=1e-4)
 
 
+@pytest.mark.skipif(not HAS_LASSO, reason="lasso-python is not installed")
+def test_a_pattern_names_all_binouts_of_a_run() -> None:
+    section = load("case", BUMPER / "case-binout.yaml").document.histories
+    several = section.model_copy(update={"files": ["bumper.binout*"]})
+    data = read_case_data(several, BUMPER).histories
+    assert list(data.files) == ["bumper.binout0000"]
+    with pytest.raises(DataError, match="no file fits"):
+        read_case_data(section.model_copy(update={"files": ["other*"]}), BUMPER)
+
+
 @pytest.mark.skipif(HAS_LASSO, reason="lasso-python is installed")
 def test_without_lasso_python_a_binout_says_how_to_install_it() -> None:
     with pytest.raises(DataError, match=r"pip install 'certkit\[binout\]'"):

@@ -27,7 +27,7 @@ from certkit.exchange.fe.histories import (
     match_one,
     parse_units,
 )
-from certkit.exchange.fe.one_file import one_file
+from certkit.exchange.fe.joined_binout import JoinedBinout
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -44,31 +44,50 @@ INSTALL = "reading binout files needs lasso-python: pip install 'certkit[binout]
 
 
 def read(paths: Sequence[Path], section: HistoryFiles) -> PartHistories:
-    """Read the binout of a case."""
-    return read_binout(one_file(paths, section), parse_units(section.units), section.rigid_bodies)
+    """Read the binout files of a case: one or more, or all that fit a pattern such as `binout*`."""
+    files = [file for path in paths for file in _fitting(path)]
+    return read_binout(files, parse_units(section.units), section.rigid_bodies)
 
 
-def read_binout(path: Path, units: Units, rigid_bodies: Mapping[str, RigidBody]) -> PartHistories:
-    """Read matsum, nodout, rcforc and glstat of a binout file.
+def _fitting(path: Path) -> list[Path]:
+    """Return the files that a name means; those that LSDA goes on in are found with their first."""
+    if path.exists() or not set(path.name) & set("*?"):
+        return [path]
+    found = [file for file in sorted(path.parent.glob(path.name)) if "%" not in file.name]
+    if not found:
+        raise DataError(f"{path}: no file fits this name; name the binout files")
+    return found
+
+
+def read_binout(
+    paths: Path | Sequence[Path], units: Units, rigid_bodies: Mapping[str, RigidBody]
+) -> PartHistories:
+    """Read matsum, nodout, rcforc and glstat of a run's binout files.
 
     Raises
     ------
     DataError
         Without lasso-python, for a damaged file, or when matsum is missing.
     """
-    content, digest = read_bytes(path)
-    source = str(path)
-    # LSDA goes on in files of this name; the reader joins them, so they belong to what was read.
-    rest = sorted(path.parent.glob(f"{escape(path.name)}%[0-9]*")) if path.suffix != ".gz" else []
-    digests = {source: digest, **{str(part): read_bytes(part)[1] for part in rest}}
-    if not is_lsda(content):
-        raise DataError(
-            f"{source}: this is no LSDA container; a binout starts with its header length 8: name the binout"
-        )
+    paths = [paths] if isinstance(paths, Path) else list(paths)
+    source = str(paths[0])
+    digests: dict[str, str] = {}
+    readers = []
     with tempfile.TemporaryDirectory(prefix="certkit-") as folder:
-        return _read(
-            open_binout(path, content, rest, Path(folder), source), source, units, rigid_bodies, digests
-        )
+        for number, path in enumerate(paths):
+            content, digests[str(path)] = read_bytes(path)
+            # LSDA goes on in files of this name; the reader joins them, so they belong to what was read.
+            rest = sorted(path.parent.glob(f"{escape(path.name)}%[0-9]*")) if path.suffix != ".gz" else []
+            digests |= {str(part): read_bytes(part)[1] for part in rest}
+            if not is_lsda(content):
+                raise DataError(
+                    f"{path}: this is no LSDA container; a binout starts with its header length 8: "
+                    "name the binout"
+                )
+            own = Path(folder) / str(number)
+            own.mkdir()
+            readers.append(open_binout(path, content, rest, own, str(path)))
+        return _read(JoinedBinout(readers, source), source, units, rigid_bodies, digests)
 
 
 def is_lsda(content: bytes) -> bool:
