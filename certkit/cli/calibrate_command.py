@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
-from certkit.cli.study_command import Cluster, Processes  # noqa: TC001  # likewise
+from certkit.cli.study_command import Cluster, Processes, TlsCa, TlsCert, TlsKey, cluster_address
 
 Document = Annotated[str, typer.Argument(metavar="FIT.yaml", help="The fit: a file, or a shipped name.")]
 Family = Annotated[
@@ -25,6 +25,9 @@ def calibrate(
     out: options.Out = None,
     processes: Processes = None,
     cluster: Cluster = None,
+    tls_ca_file: TlsCa = None,
+    tls_cert: TlsCert = None,
+    tls_key: TlsKey = None,
     fresh: Annotated[
         bool, typer.Option("--fresh", help="Forget the runs that an earlier call has done.")
     ] = False,
@@ -64,7 +67,7 @@ def calibrate(
             fresh=fresh,
             library=library or (),
             processes=processes,
-            cluster=cluster,
+            cluster=cluster_address(cluster, tls_ca_file, tls_cert, tls_key),
             tell=tell,
             force=force,
         )

@@ -121,7 +121,7 @@ class Search(Document):
         int,
         Field(ge=0, le=1000, description="Further searches, each from the best of places spread evenly."),
     ] = 0
-    population: Annotated[int, Field(ge=4, le=10_000)] = 24
+    population: Annotated[int, Field(ge=5, le=10_000)] = 24
     generations: Annotated[int, Field(ge=0, le=100_000, description="Of the global search.")] = 100
     pull: Annotated[
         float,

@@ -104,7 +104,7 @@ def rounded_number(value: float | str) -> float | str:
 Figure = Annotated[float, PlainSerializer(rounded, when_used="json")]
 Figures = Annotated[list[float], PlainSerializer(rounded_all, return_type=list[float], when_used="json")]
 FigureTuple = Annotated[
-    tuple[float, ...], PlainSerializer(rounded_all, return_type=list[float], when_used="json")
+    tuple[float, ...], PlainSerializer(rounded_series, return_type=list[float], when_used="json")
 ]
 FigureOrWord = Annotated[
     int | float | str, PlainSerializer(rounded_number, return_type=int | float | str, when_used="json")

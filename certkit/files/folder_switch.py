@@ -1,9 +1,10 @@
 """Replacing what a folder holds as a whole: written beside it, flushed to the disk, switched in one step.
 
-The new files are written into a folder beside the old one. Where nothing else is in the old folder, the two
-names are exchanged, which the system does at once or not at all. Otherwise the new files go into the folder
-as `.certkit-switch`, with a list of what is to be done; from then on they count, and whoever opens the folder
-next finishes what a killed process has begun. What belongs to somebody else stays where it is.
+The new files are written into a folder beside the old one, which what stays of the old one is linked into.
+Then the two names are exchanged, which the system does at once or not at all. Where it has no such call, or
+the folder is no plain one of the user's own, the new files go into the folder as `.certkit-switch`, with a
+list of what is to be done; from then on they count, and whoever opens the folder next finishes what a killed
+process has begun. What belongs to somebody else stays in either case.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 SWITCH = ".certkit-switch"
 LIST = ".certkit-files.json"
 _LONGEST = 100  # characters of a folder's name in the names beside it; a file system takes 255 bytes
+_MOST_LINKS = 100  # of files that are not replaced; a folder with more of them is somebody else's
 _EXCHANGE = 2  # RENAME_EXCHANGE of Linux
 _HERE = -100  # AT_FDCWD
 
@@ -116,16 +118,26 @@ class FolderSwitch:
         if not self.folder.exists():
             self.stage.rename(self.folder)
             sync_folder(self.folder.parent)
-        elif not (self._is_all_replaced() and self._exchange()):
+        elif not (self._can_be_exchanged() and self._exchange()):
             self._switch_in_place()
 
-    def _is_all_replaced(self) -> bool:
-        """Tell whether nothing of the old folder stays, and nobody stands in it."""
+    def _can_be_exchanged(self) -> bool:
+        """Tell whether the folder may be another one afterwards; link what stays into the stage."""
         if self.stage.parent == self.folder or Path.cwd().is_relative_to(self.folder):
             return False
-        new = {path.name for path in self.stage.iterdir()}
-        old = list(self.folder.iterdir())
-        return all(path.is_file() and (path.name in new or path.name in self.stale) for path in old)
+        old, new = self.folder.stat(), self.stage.stat()
+        if (old.st_uid, old.st_gid) != (new.st_uid, new.st_gid):
+            return False
+        links: list[Path] = []
+        try:
+            _link_rest(self.folder, self.stage, self.stale, links)
+        except OSError:  # no links here, or too much that is somebody else's
+            for link in links:
+                link.unlink()
+            return False
+        for parent in {link.parent for link in links}:
+            sync_folder(parent)
+        return True
 
     def _exchange(self) -> bool:
         """Exchange stage and folder in one step; False where the system has no such call."""
@@ -138,6 +150,7 @@ class FolderSwitch:
         if call is None or call(_HERE, os.fsencode(self.stage), _HERE, os.fsencode(self.folder), _EXCHANGE):
             return False
         sync_folder(self.folder.parent)
+        _move_rest(self.stage, self.folder, self.stale)
         return True
 
     def _switch_in_place(self) -> None:
@@ -173,6 +186,35 @@ def finish(folder: Path) -> None:
         if parent.is_dir():
             sync_folder(parent)
     shutil.rmtree(switch)
+
+
+def _link_rest(old: Path, new: Path, stale: Collection[str], links: list[Path]) -> None:
+    """Link what is in one folder and not in the other into that one, but what is stale; note the links.
+
+    Raises
+    ------
+    OSError
+        When the system does not link, or there are folders of somebody else's or many files.
+    """
+    for path in old.iterdir():
+        target = new / path.name
+        if path.is_dir() and not path.is_symlink():
+            if not target.is_dir():
+                raise OSError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
+            shutil.copystat(path, target)
+            _link_rest(path, target, (), links)
+        elif path.name not in stale and not os.path.lexists(target):
+            if len(links) == _MOST_LINKS:
+                raise OSError(errno.EMLINK, os.strerror(errno.EMLINK), str(old))
+            os.link(path, target, follow_symlinks=False)
+            links.append(target)
+
+
+def _move_rest(old: Path, new: Path, stale: Collection[str]) -> None:
+    """Move what somebody has put into the old folder while the new one was made ready."""
+    for path in old.iterdir():
+        if path.name not in stale and not os.path.lexists(new / path.name):
+            path.rename(new / path.name)
 
 
 def _is_inside(name: str) -> bool:

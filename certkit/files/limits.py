@@ -24,7 +24,10 @@ MAX_VALUES = 4_000_000
 """Cells of a table."""
 
 MAX_CHANNELS = 500
+"""Of a test."""
+
 MAX_HEADER_LINES = 500
+"""Above the numbers of a channel."""
 
 MAX_LINE = 4_000
 """Characters of a line in a head; a line of a table may have twenty times as many."""

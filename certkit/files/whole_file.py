@@ -34,7 +34,7 @@ def write_whole(path: Path, content: bytes | str, *, durable: bool = False) -> N
     """
     data = content.encode() if isinstance(content, str) else content
     path.parent.mkdir(parents=True, exist_ok=True)
-    _remove_leftovers(path)
+    remove_leftovers(path.parent, f".{path.name[:80]}.")
     handle, temporary = _temporary(path)
     try:
         with os.fdopen(handle, "wb") as stream:
@@ -92,10 +92,16 @@ def _temporary(path: Path) -> tuple[int, Path]:
         os.close(handle)
 
 
-def _remove_leftovers(path: Path) -> None:
-    """Remove temporary files of this target that nobody writes any more."""
-    prefix = f".{path.name[:80]}."
-    with os.scandir(path.parent) as entries:
+def remove_leftovers(folder: Path, prefix: str = ".") -> None:
+    """Remove temporary files in a folder that nobody writes any more.
+
+    Parameters
+    ----------
+    folder : Path
+    prefix : str
+        What their names begin with: those of all targets when not given.
+    """
+    with os.scandir(folder) as entries:
         found = [entry.path for entry in entries if entry.name.startswith(prefix)]
     for each in found:
         if each.endswith(ENDING):

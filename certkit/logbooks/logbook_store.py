@@ -22,6 +22,7 @@ from certkit.documents.result import Result
 from certkit.errors import DataError
 from certkit.files import write_whole
 from certkit.files.bounded import read_bounded
+from certkit.files.whole_file import remove_leftovers
 from certkit.logbooks.logbook_entry import LogbookEntry, Reading, entry_of, replacements, serial_key
 
 if TYPE_CHECKING:
@@ -121,6 +122,7 @@ def add(logbook: Logbook, documents: Iterable[Path]) -> tuple[list[LogbookEntry]
     read = [_read(path / "result.json" if path.is_dir() else path) for path in documents]
     logbook.documents.mkdir(parents=True, exist_ok=True)
     with _locked(logbook):
+        remove_leftovers(logbook.documents)
         kept = _agreed(logbook)
         ids = {entry.id for entry in kept.values()}
         _refuse_second_gradings(read, kept.values())

@@ -15,6 +15,7 @@ from certkit.studies.run_study import JOURNAL, carry_and_write, optimise_and_wri
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from certkit.studies.dask_cluster import ClusterAddress
     from certkit.studies.execution import Progress
     from certkit.studies.optimise import Optimum
     from certkit.studies.study_findings import Findings
@@ -28,7 +29,7 @@ def study(  # noqa: PLR0913  # as many as the command has options
     fresh: bool = False,
     library: str | Path | Sequence[str | Path] = (),
     processes: int | None = None,
-    cluster: str | None = None,
+    cluster: str | ClusterAddress | None = None,
     progress: Progress | None = None,
     force: bool = False,
 ) -> Findings | Optimum:
@@ -49,7 +50,7 @@ def study(  # noqa: PLR0913  # as many as the command has options
         Folders with own definitions, searched first.
     processes : int, optional
         Workers on this machine, all cores by default.
-    cluster : str, optional
+    cluster : str or ClusterAddress, optional
         Address of a Dask scheduler to use instead.
     progress : callable, optional
         Told of every finished run: done, total, failed.

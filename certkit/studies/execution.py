@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from certkit.studies.dask_cluster import ClusterAddress
+
 Progress = Callable[[int, int, int], None]
 """Called with how many runs of a batch are done, how many it has, and how many of them failed."""
 
@@ -21,8 +23,8 @@ class Execution:
     ----------
     processes : int, optional
         Workers on this machine; all cores when None, this very process when 1.
-    cluster : str, optional
-        Address of a Dask scheduler, used instead.
+    cluster : str or ClusterAddress, optional
+        A Dask scheduler, used instead.
     progress : callable, optional
         Told of every finished run.
     journal : Path, optional
@@ -30,7 +32,7 @@ class Execution:
     """
 
     processes: int | None = None
-    cluster: str | None = None
+    cluster: str | ClusterAddress | None = None
     progress: Progress | None = None
     journal: Path | None = None
 

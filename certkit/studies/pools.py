@@ -1,4 +1,4 @@
-"""Where runs are done: in this process, in processes of this machine, or on a Dask cluster.
+"""Where runs are done: in this process, or in processes of this machine; see also `dask_cluster`.
 
 The numbers are the same everywhere.
 Each pool hands back finished runs as they come and keeps a bounded number of them in flight, so that a
@@ -10,12 +10,11 @@ from __future__ import annotations
 import os
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from importlib import import_module
 from itertools import islice
 from multiprocessing import get_all_start_methods, get_context
 from typing import TYPE_CHECKING, Any, Protocol
 
-from certkit.errors import RunError, UsageError
+from certkit.errors import RunError
 from certkit.studies import worker
 from certkit.studies.points import Evaluate, Outcome, attempt
 
@@ -151,58 +150,6 @@ def _context(module: str) -> BaseContext:
     context = get_context("forkserver")
     context.set_forkserver_preload(["certkit.studies.worker", module])
     return context
-
-
-class Cluster:
-    """The Dask cluster whose scheduler listens at an address.
-
-    A worker that dies in the middle loses nothing: Dask does its runs again elsewhere.
-
-    Raises
-    ------
-    UsageError
-        When dask.distributed is not installed or nobody answers at the address.
-    """
-
-    def __init__(self, evaluate: Evaluate, address: str) -> None:
-        """Connect, and hand the evaluation to every worker."""
-        try:
-            self._dask: Any = import_module("distributed")  # an extra, and 0.5 s
-        except ImportError:
-            raise UsageError("`--cluster` needs Dask: pip install 'certkit[cluster]'") from None
-        try:
-            self._client: Any = self._dask.Client(address, timeout="10s", set_as_default=False)
-        except (OSError, TimeoutError, ValueError) as error:
-            raise UsageError(f"no Dask scheduler answers at `{address}`: {error}") from None
-        self._evaluate = self._client.scatter(evaluate, broadcast=True)
-
-    def run(self, tasks: Iterable[Task]) -> Iterator[Done]:
-        """Yield outcomes as they come."""
-        source = Chunks(tasks)
-        chunks: dict[str, list[Task]] = {}
-        flying = self._dask.as_completed(loop=self._client.loop)
-        while True:
-            threads = sum(self._client.nthreads().values())
-            for chunk in islice(source, max(1, IN_FLIGHT * threads - len(chunks))):
-                future = self._client.submit(worker.work_with, self._evaluate, chunk, pure=False)
-                chunks[future.key] = chunk
-                flying.add(future)
-            if not chunks:
-                return
-            future = next(flying)
-            chunk = chunks.pop(future.key)
-            try:
-                done, seconds = future.result()
-            except self._dask.KilledWorker:
-                yield from ((index, Outcome({}, DIED)) for index, _ in chunk)
-            else:
-                source.learn(len(chunk), seconds)
-                yield from done
-
-    def close(self, *, at_once: bool = False) -> None:
-        """Leave the cluster; it is not ours to end, and drops by itself what nobody waits for any more."""
-        del at_once
-        self._client.close()
 
 
 class Chunks:

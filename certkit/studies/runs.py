@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING, Self
 
+from certkit.studies.dask_cluster import ClusterAddress, DaskCluster
 from certkit.studies.execution import USUAL, Execution
 from certkit.studies.journal import Journal
 from certkit.studies.points import Evaluate, Outcome, Point, key_of
-from certkit.studies.pools import DIED, Cluster, OneProcess, Pool, Processes, available_processes
+from certkit.studies.pools import DIED, OneProcess, Pool, Processes, available_processes
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -36,7 +37,8 @@ class Runs:
         self.evaluate = evaluate
         self.context = context
         self.processes = execution.processes or available_processes()
-        self.cluster = execution.cluster
+        named = execution.cluster
+        self.cluster = ClusterAddress(named) if isinstance(named, str) else named
         self.progress = execution.progress
         self.done_here = 0
         self._pool: Pool | None = None
@@ -75,7 +77,7 @@ class Runs:
     def _pool_for(self, tasks: int) -> Pool:
         if self._pool is None and tasks > 1:
             if self.cluster is not None:
-                self._pool = Cluster(self.evaluate, self.cluster)
+                self._pool = DaskCluster(self.evaluate, self.cluster)
             elif self.processes > 1:
                 self._pool = Processes(self.evaluate, self.processes)
         return self._pool or OneProcess(self.evaluate)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import typer
 
 app = typer.Typer(no_args_is_help=True, help="Make the generated parts of the documentation again.")
@@ -42,11 +44,16 @@ def validation() -> None:
 
 
 @app.command("security")
-def security() -> None:
-    """Try every forgery that the tests know, and write what `verify` says of each into docs/security.md."""
-    from docs.make.security import write_security  # noqa: PLC0415  # as above
+def security(
+    part: Annotated[list[str] | None, typer.Option(help="Only this part; repeatable.")] = None,
+    kills: Annotated[int, typer.Option(help="How often each kind of command is killed.")] = 10,
+    python: Annotated[list[str] | None, typer.Option(help="A further interpreter; repeatable.")] = None,
+) -> None:
+    """Try forgeries, bombs, kills, writers, environments; write what came of each into docs/security.md."""
+    from docs.make.security import PARTS, write_security  # noqa: PLC0415  # as above
 
-    typer.echo(f"wrote {write_security(typer.echo)}")
+    path = write_security(typer.echo, part or PARTS, kills=kills, pythons=python or ())
+    typer.echo(f"wrote {path}")
 
 
 @app.command("reliability")

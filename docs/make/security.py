@@ -1,4 +1,4 @@
-"""The figures of security.md: every forgery tried, and what `verify` says of it."""
+"""The figures of security.md: forgeries, bombs, kills, writers and environments, and what came of each."""
 
 from __future__ import annotations
 
@@ -13,27 +13,53 @@ from certkit.bench.verify import verify
 from certkit.files import write_whole
 from certkit.reporting.pdf_report import certificate
 from certkit.reporting.result_view import unique_views
+from docs.make import trials
 from docs.make.markdown import table
 from docs.make.reference import DOCS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
 ROOT = DOCS.parent
-BEGIN, END = "<!-- forgeries -->", "<!-- end of forgeries -->"
+PARTS = ("forgeries", "limits", "bombs", "kills", "writers", "environments")
 
 
-def write_security(tell: Callable[[str], None]) -> Path:
-    """Try every forgery and write what came of it into security.md."""
-    page = DOCS / "security.md"
-    before, rest = page.read_text("utf-8").split(BEGIN)
-    after = rest.split(END)[1]
-    write_whole(page, f"{before}{BEGIN}\n\n{_forgeries(tell)}\n\n{END}{after}")
-    return page
+def write_security(
+    tell: Callable[[str], None], parts: Sequence[str] = PARTS, *, kills: int = 10, pythons: Sequence[str] = ()
+) -> Path:
+    """Try again what some parts of security.md tell of, and write what came of it.
+
+    Parameters
+    ----------
+    tell : callable
+        Told of each trial.
+    parts : sequence of str
+        Some of `PARTS`.
+    kills : int
+        How often each kind of command is killed.
+    pythons : sequence of str
+        Further interpreters to make certificates with.
+    """
+    sys.path.insert(0, str(ROOT / "tests"))
+    make = {
+        "forgeries": lambda: _forgeries(tell),
+        "limits": trials.limits_table,
+        "bombs": lambda: trials.bombs(tell),
+        "kills": lambda: trials.kills(tell, kills),
+        "writers": lambda: trials.writers(tell),
+        "environments": lambda: trials.environments(tell, pythons),
+    }
+    path = DOCS / "security.md"
+    for part in parts:
+        made = make[part]()
+        text = path.read_text("utf-8")  # as it is by now
+        begin, end = f"<!-- {part} -->", f"<!-- end of {part} -->"
+        before, rest = text.split(begin)
+        write_whole(path, f"{before}{begin}\n\n{made}\n\n{end}{rest.split(end)[1]}")
+    return path
 
 
 def _forgeries(tell: Callable[[str], None]) -> str:
-    sys.path.insert(0, str(ROOT / "tests"))
     from support.forgeries import DOCUMENTS, PAPERS, forged  # noqa: PLC0415  # needs pikepdf, and the tests' folder
 
     data = ROOT / "examples" / "measured"
@@ -54,7 +80,7 @@ def _forgeries(tell: Callable[[str], None]) -> str:
         named += bool(hits)
         first = hits[0] if hits else None
         told = f"{first.what}: {first.said}" if first else "nothing"
-        rows.append((forgery.name, forgery.kind, found.outcome, told.replace("|", "\\|")))
+        rows.append((forgery.name, forgery.kind, found.outcome, told))
         tell(f"{forgery.name}: {found.outcome}")
     head = f"{len(rows)} forgeries tried, {named} named."
     return f"{head}\n\n" + table(

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import json
 import statistics
-import subprocess
-import sys
 from datetime import date, timedelta
 from typing import TYPE_CHECKING, get_args
 
 import pytest
 from support.forty_tests import BEGIN, CERTIFICATIONS, document, forty
+from support.writers import booked_by
 from typer.testing import CliRunner
 
 from certkit.cli import app
@@ -228,24 +227,7 @@ def test_a_document_put_or_taken_by_hand_is_noticed(logbook: Logbook):
 
 
 def test_eight_writers_lose_nothing(tmp_path: Path):
-    results = [document(f"W-{n % 3}", BEGIN + timedelta(days=n), n, "pendulum", 250.0) for n in range(48)]
-    for number, result in enumerate(results):
-        result.write(tmp_path / "in" / f"{number}.json")
-    script = (
-        "import sys; from pathlib import Path; from certkit.logbooks import Logbook, add\n"
-        "for path in sys.argv[2:]: add(Logbook(Path(sys.argv[1])), [Path(path)])"
-    )
-    writers = [
-        subprocess.Popen(
-            [sys.executable, "-c", script, tmp_path / "book"]
-            + [tmp_path / "in" / f"{n}.json" for n in range(first, 48, 8)]
-        )
-        for first in range(8)
-    ]
-    assert [writer.wait(timeout=300) for writer in writers] == [0] * 8
-    logbook = Logbook(tmp_path / "book")
-    assert sum(len(overview(logbook, serial).tests) for serial in logbook.serials()) == 48
-    assert len(json.loads(logbook.index.read_text())["files"]) == 48
+    assert booked_by(8, 6, tmp_path) == (48, 48, 48, 48)
 
 
 def test_one_recording_graded_twice_is_one_test(tmp_path: Path):

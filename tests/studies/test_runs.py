@@ -9,12 +9,14 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 from support import toys
 
-from certkit.errors import UsageError
+from certkit.cli.study_command import cluster_address
+from certkit.errors import RunError, UsageError
 from certkit.studies.execution import Execution
 from certkit.studies.journal import Journal, forget
 from certkit.studies.points import key_of
@@ -23,7 +25,7 @@ from certkit.studies.runs import Runs
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from pathlib import Path
+
 
 POINTS = [{"a": i / 7, "b": (-1.0) ** i} for i in range(100)]
 
@@ -243,3 +245,34 @@ def test_nobody_at_the_address_is_said_so() -> None:
         pytest.raises(UsageError, match="no Dask scheduler"),
     ):
         runs(POINTS[:2])
+
+
+def test_a_cluster_that_is_lost_is_one_line() -> None:
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster:
+
+        def lose(done: int, *_: int) -> None:
+            if done == 5:
+                cluster.close()
+
+        with (
+            Runs(toys.slow_wave, Execution(cluster=cluster.scheduler_address, progress=lose)) as runs,
+            pytest.raises(RunError, match="is gone; runs that are done are kept"),
+        ):
+            runs(POINTS[:40])
+
+
+@pytest.mark.parametrize(
+    ("scheduler", "files", "said"),
+    [
+        ("tls://host:8786", ("a.pem", None, None), "TLS needs all three"),
+        ("tcp://host:8786", ("a.pem", "b.pem", "c.pem"), "is not reached by TLS"),
+        ("tls://host:8786", ("a.pem", "b.pem", "c.pem"), "a.pem: no such file"),
+        (None, ("a.pem", None, None), "TLS is for a cluster"),
+    ],
+)
+def test_tls_that_cannot_be_is_refused_before_anything_is_run(
+    scheduler: str | None, files: tuple[str | None, ...], said: str
+) -> None:
+    with pytest.raises(UsageError, match=said):
+        cluster_address(scheduler, *(Path(file) if file else None for file in files))

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from certkit.definitions.calibration import CalibrationTask
     from certkit.studies.calibration.search import Tell
+    from certkit.studies.dask_cluster import ClusterAddress
 
 
 def calibrate(  # noqa: PLR0913  # as many as the command has options
@@ -27,7 +28,7 @@ def calibrate(  # noqa: PLR0913  # as many as the command has options
     fresh: bool = False,
     library: str | Path | Sequence[str | Path] = (),
     processes: int | None = None,
-    cluster: str | None = None,
+    cluster: str | ClusterAddress | None = None,
     tell: Tell = lambda _: None,
     force: bool = False,
 ) -> fit.Calibration:
@@ -48,7 +49,7 @@ def calibrate(  # noqa: PLR0913  # as many as the command has options
         Folders with own definitions, searched first.
     processes : int, optional
         Workers on this machine, all cores by default.
-    cluster : str, optional
+    cluster : str or ClusterAddress, optional
         Address of a Dask scheduler to use instead.
     tell : callable, optional
         Told how far the search has come.
