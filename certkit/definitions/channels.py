@@ -1,6 +1,7 @@
 """Channels of a test: their short names, the words of the field, their dimensions and what is known of them.
 
-Those of a legform are data of that legform (`certkit.definitions.legform`), those of the rig stand here.
+Those of a legform are data of that legform (`certkit.definitions.legform`), those of the rig
+are declared by its fixtures (`certkit.definitions.fixtures`).
 """
 
 from __future__ import annotations
@@ -87,17 +88,6 @@ class ChannelKind:
     sign: int = 0
     part: str = ""
     usual: float | None = None
-
-
-RIG_CHANNELS = (
-    ChannelKind("contact force", "contact force", FORCE),
-    ChannelKind("hinge force", "hinge force", FORCE),
-    ChannelKind("ram force", "ram force", FORCE),
-    ChannelKind("ram travel", "ram travel", DISPLACEMENT),
-    ChannelKind("mid moment", "moment at mid-span", MOMENT),
-    ChannelKind("mid deflection", "deflection at mid-span", DISPLACEMENT),
-)
-"""What the fixtures of a rig measure, whatever legform is on it. Their codes: `exchange/rig-codes.yaml`."""
 
 
 @dataclass(frozen=True)

@@ -19,10 +19,11 @@ import certkit.reporting
 import certkit.studies.designs as design_files
 from certkit.definitions.base import Section
 from certkit.definitions.extraction_case import Format, HistoryFiles
-from certkit.definitions.fixtures import FIXTURES
+from certkit.definitions.fixtures import FIXTURES, RIG_CHANNELS
 from certkit.definitions.legform_parts import Ligament
 from certkit.definitions.measures import MEASURES, MeasureKind
 from certkit.definitions.study import DESIGNS, Design, DesignKind
+from certkit.exchange.codes import shipped_table
 from certkit.exchange.fe import read_case_data
 from certkit.grading.measure import NoInterval, measure
 from certkit.grading.measures import method_of
@@ -231,6 +232,12 @@ def test_every_fixture_is_a_file_and_its_model_another_of_its_name():
     names = {fixture.field_name() for fixture in FIXTURES}
     assert names == defined("definitions/fixtures", Section) - {"fixture"}
     assert {f"{name}_model" for name in names} <= files("mechanics/fixtures")
+
+
+def test_every_channel_that_a_fixture_declares_can_be_written_and_read():
+    table = shipped_table().mme
+    assert table is not None
+    assert {kind.name for kind in RIG_CHANNELS} == set(table.codes)
 
 
 def test_a_ligaments_numbers_are_the_cable_laws_by_their_names():
