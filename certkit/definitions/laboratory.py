@@ -146,6 +146,10 @@ class Laboratory(Document):
         ),
     ] = None
     place: Words | None = None
+    country: Annotated[
+        str | None,
+        Field(pattern="^[A-Z]{2}$", description="ISO 3166-1 code, such as DE; a DCC asks for it."),
+    ] = None
     contact: Words | None = None
     accreditation: Words | None = None
     logo: Annotated[str | None, Field(description="PNG or JPEG beside this file.")] = None
@@ -237,6 +241,7 @@ class Laboratory(Document):
         entries: dict[str, Any] = {
             "laboratory": self.laboratory,
             "place": self.place,
+            "country": self.country,
             "contact": self.contact,
             "accreditation": self.accreditation,
             "logo": logo,

@@ -9,6 +9,7 @@ from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
 
 from certkit.exchange.channels_csv import channels_csv
+from certkit.reporting.dcc_report import dcc, lacking
 from certkit.reporting.language import ENGLISH
 
 if TYPE_CHECKING:
@@ -69,6 +70,8 @@ def enclosures(result: Result, prefix: str = "") -> list[Enclosure]:
     table = channels_csv(result)
     if table is not None:
         found.append(Enclosure(f"{prefix}channels.csv", "channels", table.encode(), "Data"))
+    if not lacking(result):
+        found.append(Enclosure(f"{prefix}dcc.xml", "dcc", dcc(result), "Alternative"))
     return found
 
 

@@ -25,7 +25,8 @@ Facts = list[tuple[str, str]]
 SIGNATORIES = 2
 """Lines for signatures that a report has at least."""
 
-_PLACED = {"laboratory", "place", "contact", "accreditation", "logo", "customer", "item", "test", "persons"}
+_PLACED = {"laboratory", "place", "country", "contact", "accreditation", "logo"}
+_PLACED |= {"customer", "item", "test", "persons"}
 _PLACED |= {"sensors", "equipment"}
 
 

@@ -22,6 +22,7 @@ FORMATS = MappingProxyType(
         "md": "certkit.reporting.markdown",
         "xlsx": "certkit.reporting.xlsx_report",
         "pptx": "certkit.reporting.pptx_report",
+        "dcc": "certkit.reporting.dcc_report",
         "html": "certkit.reporting.html_report",
         "pdf": "certkit.reporting.pdf_report",
     }
