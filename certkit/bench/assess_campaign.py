@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from certkit._version import __version__
 from certkit.bench.campaign_pages import write_campaign
+from certkit.bench.campaign_schemes import campaign_schemes
 from certkit.bench.point_sources import CampaignFiles, load_point_source
 from certkit.bench.setup import PACKAGES
 from certkit.definitions.campaign import RANK
@@ -18,21 +19,18 @@ from certkit.definitions.units import parse_quantity
 from certkit.documents.campaign_report import CampaignReport, CarFront, PointReport
 from certkit.documents.result import InputFile, Provenance
 from certkit.documents.unverified import MARK
-from certkit.documents.verdicts import worst
-from certkit.errors import UsageError
+from certkit.grading.car_verdict import car_verdict
 from certkit.grading.judge_car import judge_car
 from certkit.grading.prediction_agreement import agreement
-from certkit.grading.scheme_terms import SchemeTerms
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Sequence
+    from collections.abc import Callable, Collection
 
     from certkit.bench.point_sources import LoadedSource
     from certkit.definitions.campaign import Campaign, ImpactPoint, PointSource
     from certkit.definitions.loading.library import Library, Loaded
-    from certkit.definitions.scheme import Scheme
-    from certkit.documents.campaign_report import AgreementRow, JudgedScheme, SourceReport
-    from certkit.documents.result import Result, Verdict
+    from certkit.documents.campaign_report import SourceReport
+    from certkit.documents.result import Result
 
 
 @dataclass(frozen=True)
@@ -97,7 +95,7 @@ def assess(
     loaded = load("campaign", path, library=library)
     sheet = cast("Campaign", loaded.document)
     shelf = (*shelves(library), path.parent)
-    terms, used = _terms(sheet, shelf)
+    terms, used = campaign_schemes(sheet, shelf)
     files = CampaignFiles(sheet, path.parent, shelf, terms[0].scheme.impactor, unverified)
     points, read = [], []
     results: dict[str, Result] = {}
@@ -105,13 +103,13 @@ def assess(
         step(point.point)
         report, sources = _point(point, sheet, files)
         points.append(report)
-        read += [each.input for each in sources if each.input is not None]
+        read += [item for each in sources for item in each.inputs]
         results |= {s.report.folder: s.result for s in sources if s.result is not None}
     schemes = [judge_car(each, points, symmetric=sheet.car.symmetric) for each in terms]
     criteria = {name for each in terms for name in each.criteria}
     tolerance = None if sheet.agreement is None else 100.0 * parse_quantity(sheet.agreement, "ratio")
     rows = agreement(points, criteria, tolerance)
-    verdict, remarks = _verdict(schemes, rows, tolerance)
+    verdict, remarks = car_verdict(schemes, rows, tolerance)
     changed = [f"{p.name} ({s.label})" for p in points for s in p.sources if s.certificate == MARK]
     if changed:
         remarks.append(f"{MARK}: changed since certkit wrote it: {', '.join(changed)}")
@@ -133,58 +131,6 @@ def assess(
         ),
     )
     return AssessedCampaign(document.with_id(), results)
-
-
-def _terms(sheet: Campaign, library: Library) -> tuple[list[SchemeTerms], list[Loaded[Any]]]:
-    """Load the schemes and corridor sets that a campaign names."""
-    used: dict[tuple[str, str], Loaded[Any]] = {}
-    terms = []
-    for name in sheet.schemes:
-        terms.append(_scheme(name, library, used, at_least=sheet.at_least.get(name)))
-        if name in sheet.at_least and not terms[-1].car_points:
-            raise UsageError(f"`at least`: the scheme {name} has no rule for a total; leave it out")
-    if sheet.targets is not None:
-        target = sheet.targets
-        own = _scheme(target.of, library, used)
-        if own.scheme.limits is None:
-            raise UsageError(f"`targets` are shares of limits; the scheme {target.of} has none")
-        shares = {name: parse_quantity(text, "ratio") for name, text in target.criteria.items()}
-        share = parse_quantity(target.share, "ratio")
-        terms.append(SchemeTerms(own.scheme, own.corridors, share, shares, own_targets=True))
-    impactors = list(dict.fromkeys(each.scheme.impactor for each in terms))
-    if len(impactors) > 1:
-        raise UsageError(
-            f"the schemes are for different legforms ({', '.join(impactors)}); a campaign is of one"
-        )
-    _check_zones(sheet, terms)
-    return terms, list(used.values())
-
-
-def _scheme(
-    name: str,
-    library: Library,
-    used: dict[tuple[str, str], Loaded[Any]],
-    *,
-    at_least: float | None = None,
-) -> SchemeTerms:
-    scheme = load("scheme", name, library=library)
-    document = cast("Scheme", scheme.document)
-    corridors = load("corridors", document.corridors, library=library)
-    used |= {("scheme", name): scheme, ("corridors", corridors.name): corridors}
-    return SchemeTerms(document, corridors.document, at_least=at_least)
-
-
-def _check_zones(sheet: Campaign, terms: Sequence[SchemeTerms]) -> None:
-    """Refuse relaxed zones that no scheme knows, or that are wider together than it allows."""
-    width = sum(end - start for start, end in sheet.zones)
-    allowed = [each.scheme.relaxation for each in terms if each.scheme.relaxation is not None]
-    if sheet.zones and not allowed:
-        raise UsageError("`relaxed`: none of the schemes has relaxed limits; leave it out")
-    for rule in allowed:
-        if width > rule.metres + 1e-9:
-            raise UsageError(
-                f"`relaxed`: the zones are {1e3 * width:g} mm wide together; at most {rule.width} may be"
-            )
 
 
 def _point(
@@ -216,7 +162,7 @@ def _point(
 
 
 def _updated(source: LoadedSource, report: SourceReport) -> LoadedSource:
-    return type(source)(report, source.result, source.input)
+    return type(source)(report, source.result, source.inputs)
 
 
 def _plain(name: str) -> str:
@@ -247,28 +193,3 @@ def _car(sheet: Campaign) -> CarFront:
 
 def _definition(loaded: Loaded[Any]) -> InputFile:
     return InputFile(role=loaded.kind, path=loaded.path, sha256=loaded.sha256, text=loaded.text)
-
-
-def _verdict(
-    schemes: Sequence[JudgedScheme], rows: Sequence[AgreementRow], tolerance: float | None
-) -> tuple[Verdict, list[str]]:
-    """Return the worst of what gates, and what a reader should know of it."""
-    verdicts: list[Verdict] = [each.verdict for each in schemes if each.verdict is not None]
-    remarks = []
-    outside = [row for row in rows if row.within is False]
-    if tolerance is not None and not rows:
-        verdicts.append("not evaluated")
-        remarks.append("no point was both predicted and measured, so that their agreement cannot be judged")
-    elif tolerance is not None:
-        verdicts.append("fail" if outside else "pass")
-    if outside:
-        far = max(outside, key=lambda row: abs(row.error_percent))
-        remarks.append(
-            f"{len(outside)} of {len(rows)} predictions are more than {tolerance:g} % off, the farthest "
-            f"{far.criterion} at {far.point} by {far.error_percent:+.1f} %"
-        )
-    if not verdicts:
-        remarks.append(
-            "no scheme here has limits, and no points are asked for: say `at least` to have a gate"
-        )
-    return worst(verdicts), remarks

@@ -51,11 +51,11 @@ class CampaignFiles:
 
 @dataclass(frozen=True)
 class LoadedSource:
-    """A source with the result it stands on, if any, and the file that was read."""
+    """A source with the result it stands on, if any, and the files that were read."""
 
     report: SourceReport
     result: Result | None = None
-    input: InputFile | None = None
+    inputs: tuple[InputFile, ...] = ()
 
 
 def load_point_source(source: PointSource, files: CampaignFiles, point: str) -> LoadedSource:
@@ -115,9 +115,22 @@ def _from_file(source: PointSource, files: CampaignFiles) -> LoadedSource:
     if measured != (source.measured is not None):
         said = "finite elements" if measured else "measured"
         raise DataError(f"{path}: holds a {result.kind}, and stands under `{said}` in the campaign; move it")
-    digest = sha256(document.read_bytes()).hexdigest() if document.is_file() else ""
-    read = InputFile(role="result", path=source.file or "", sha256=digest) if digest else None
-    return _of_result(source, result, source.by or source.file or "", files, read=read)
+    return _of_result(
+        source, result, source.by or source.file or "", files, read=_read(source, document, result)
+    )
+
+
+def _read(source: PointSource, path: Path, result: Result) -> tuple[InputFile, ...]:
+    """Return the file that was read, or the recordings of a folder."""
+    named = source.file or ""
+    if path.is_file():
+        role = "result" if path.suffix.lower() == ".json" else "recording"
+        return (InputFile(role=role, path=named, sha256=sha256(path.read_bytes()).hexdigest()),)
+    return tuple(
+        InputFile(role="recording", path=f"{named}: {item.path}", sha256=item.sha256)
+        for item in result.provenance.inputs
+        if item.role == "recording"
+    )
 
 
 def _named(name: str, files: CampaignFiles) -> str | Path:
@@ -132,7 +145,7 @@ def _of_result(
     files: CampaignFiles,
     *,
     changes: dict[str, str] | None = None,
-    read: InputFile | None = None,
+    read: tuple[InputFile, ...] = (),
 ) -> LoadedSource:
     reason = _unusable(result) or _other_impactor(result, files)
     report = SourceReport(

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from certkit.bench.pdf_attachments import attachments_of
 from certkit.bench.verification import Check, Verification, fails, holds, judged
 from certkit.bench.verify_attachments import carried_checks, manifest_checks
+from certkit.bench.verify_campaign import campaign_checks
 from certkit.bench.verify_document import document_checks, table_check
 from certkit.bench.verify_grading import grading_checks
 from certkit.bench.verify_legform_certificate import LOGBOOK, legform_checks, logbook_check
@@ -23,6 +24,7 @@ from certkit.bench.verify_replacement import replacement_checks
 from certkit.bench.verify_reports import report_checks
 from certkit.bench.verify_reproduction import reproduction_checks
 from certkit.bench.verify_sources import definition_checks, source_checks
+from certkit.documents.campaign_report import CampaignReport
 from certkit.documents.document_kinds import document_in, documents_from
 from certkit.documents.legform_certificate import LegformCertificate
 from certkit.documents.result import Result
@@ -101,6 +103,8 @@ def _file(path: Path, wanted: Wanted) -> Verification:
             checks += _content_checks(document, wanted)
         if isinstance(document, LegformCertificate):
             checks += legform_checks(document, lambda result: _content_checks(result, wanted))
+        if isinstance(document, CampaignReport):
+            checks += campaign_checks(path.parent, document)
     graded = (document for document in documents if isinstance(document, Result | LegformCertificate))
     verdicts = tuple(document.verdict for document in graded)
     return Verification(str(path), tuple(document.id for document in documents), tuple(checks), verdicts)

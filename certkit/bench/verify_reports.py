@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
-from certkit.bench.verification import Check, judged, unchecked
+from certkit.bench.verification import Check, judged, left_out, unchecked
 from certkit.bench.verify_document import of_another_certkit, table_check
 from certkit.files.bounded import read_bounded
 
@@ -22,6 +22,10 @@ def report_checks(folder: Path, result: Result) -> Iterator[Check]:
     if table.is_file():
         yield table_check("channels.csv", read_bounded(table), result)
     from certkit.reporting.writing import rendered_again, repeatable  # noqa: PLC0415  # where there is a folder
+
+    for name in ("report.xlsx", "report.pptx"):
+        if (folder / name).is_file():
+            yield left_out(name, "not-compared")
 
     if of_another_certkit(result):
         version = result.provenance.certkit

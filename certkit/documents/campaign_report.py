@@ -40,7 +40,12 @@ class SourceReport(Part):
     decides: Annotated[bool, Field(description="Its values are the ones that are judged.")] = False
     replaced: Annotated[bool, Field(description="A later run has taken its place.")] = False
     certificate: Annotated[str, Field(description="Id of the result.")] = ""
-    folder: Annotated[str, Field(description="Of the result, from this document's folder.")] = ""
+    folder: Annotated[
+        str,
+        Field(
+            pattern=r"^(points/[A-Za-z0-9_+-]+)?$", description="Of the result, from this document's folder."
+        ),
+    ] = ""
     changes: Annotated[dict[str, str], Field(description="Values changed in a simulation.")] = {}
 
 

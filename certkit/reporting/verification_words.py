@@ -20,6 +20,13 @@ VERIFICATION_WORDS: Mapping[str, str] = MappingProxyType(
         "made-by-another-version": "made by certkit {version}; this is {now}, which writes it otherwise",
         "simulated-parts-in-measured-test": "a test evaluation has {parts} of a simulation",
         "recording-not-named": "a test evaluation names no recording that it was made from",
+        "not-compared": "for people to work on; not compared with the document",
+        # A campaign.
+        "not-judgeable": "{error}",
+        "judged-otherwise": "`{place}` is {said}; judged again it is {made}",
+        "point-result-missing": "the result is not beside the campaign",
+        "point-result-differs": "is result {made}; the campaign names {said}",
+        "point-value-differs": "the campaign says {said}; the result says {made}",
         # Grading.
         "not-gradable": "{error}",
         "verdict-differs": "it said {said}; graded again it is {made}",

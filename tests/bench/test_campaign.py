@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from support import synthetic_result
@@ -85,6 +85,44 @@ def test_the_folder_holds_page_table_and_the_report_of_every_result(tmp_path: Pa
         document.points[1].sources[0].certificate
         == json.loads((tmp_path / "test.json").read_text("utf-8"))["id"]
     )
+
+
+@pytest.mark.parametrize(
+    ("forge", "said"),
+    [
+        (lambda d: d.model_copy(update={"verdict": "pass"}), ""),
+        (
+            lambda d: d.model_copy(
+                update={"schemes": [d.schemes[0].model_copy(update={"worst_point": "b"})]}
+            ),
+            "judged again",
+        ),
+        (
+            lambda d: d.model_copy(
+                update={
+                    "points": [
+                        p.model_copy(
+                            update={"sources": [s.model_copy(update={"certificate": "X"}) for s in p.sources]}
+                        )
+                        for p in d.points
+                    ]
+                }
+            ),
+            "is result",
+        ),
+    ],
+    ids=["verdict", "scheme", "result"],
+)
+def test_a_forgery_with_a_fresh_id_does_not_hold(tmp_path: Path, forge: Any, said: str):  # noqa: ANN401  # a function
+    synthetic_result.result(kind="test evaluation").write(tmp_path / "test.json")
+    text = HEAD + "schemes: [r127]\npoints:\n" + point("a", 0, BAD)
+    text += "  - {point: b, across: 100 mm, sources: [{measured: test.json}]}\n"
+    document = certkit.campaign(written(tmp_path, text), tmp_path / "out")
+    assert certkit.verify(tmp_path / "out").holds
+    forge(document).with_id().write(tmp_path / "out" / "campaign.json")
+    found = certkit.verify(tmp_path / "out")
+    assert not found.holds
+    assert any(said in f"{check.what} {check.said}" for check in found.of("does not hold"))
 
 
 def test_exit_codes_are_those_of_the_worst_scheme_that_gates(tmp_path: Path):

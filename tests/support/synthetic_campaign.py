@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+from hashlib import sha256
+
 from certkit.definitions.loading.library import load
 from certkit.documents.campaign_report import CampaignReport, CarFront, PointReport, PointValue, SourceReport
-from certkit.documents.result import Provenance
+from certkit.documents.result import InputFile, Provenance
 from certkit.grading.judge_car import judge_car
 from certkit.grading.prediction_agreement import agreement
 from certkit.grading.scheme_terms import SchemeTerms
 
+SHEET = """\
+campaign: made-up
+title: A <made-up> car
+car: {name: Car, symmetric: true}
+schemes: [r127, euro-ncap-flex-pli]
+targets: {of: r127, share: 80 %}
+at least: {euro-ncap-flex-pli: 5}
+points: [{point: L0, across: 0 mm}]
+"""
 UNITS = {"MCL": "mm", "ACL": "mm", "PCL": "mm"}
 GOOD = {"T1": 200.0, "T2": 180.0, "T3": 150.0, "T4": 100.0, "MCL": 15.0, "ACL": 5.0, "PCL": 3.0}
 
@@ -33,6 +44,17 @@ def terms(scheme: str, **asked: object) -> SchemeTerms:
     return SchemeTerms(found, corridors, **asked)  # type: ignore[arg-type]
 
 
+def carried() -> list[InputFile]:
+    """Return the definitions that the campaign rests on."""
+    found = [
+        InputFile(role="campaign", path="car.yaml", sha256=sha256(SHEET.encode()).hexdigest(), text=SHEET)
+    ]
+    for kind, name in (("scheme", "r127"), ("corridors", "r127-vehicle"), ("scheme", "euro-ncap-flex-pli")):
+        each = load(kind, name)
+        found.append(InputFile(role=kind, path=each.path, sha256=each.sha256, text=each.text))
+    return found
+
+
 def campaign() -> CampaignReport:
     """Return a campaign with every kind of source, with points that pass, fail and are not known."""
     points = [
@@ -55,5 +77,5 @@ def campaign() -> CampaignReport:
         agreement=agreement(points, set(GOOD), 10.0),
         tolerance_percent=10.0,
         remarks=["something to know"],
-        provenance=Provenance(certkit="0.2.0", inputs=[], packages={}),
+        provenance=Provenance(certkit="0.2.0", inputs=carried(), packages={}),
     ).with_id()

@@ -1,0 +1,83 @@
+"""Checks of a campaign: judged again by the schemes that it carries, and the results beside it."""
+
+from __future__ import annotations
+
+import hashlib
+from typing import TYPE_CHECKING, cast
+
+from certkit.bench.campaign_schemes import campaign_schemes
+from certkit.bench.compare_documents import differences
+from certkit.bench.verification import Check, fails, holds, judged, unchecked
+from certkit.definitions.loading.kinds import KINDS
+from certkit.definitions.loading.library import load
+from certkit.definitions.loading.search_path import TextShelf
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.documents.result import Result
+from certkit.errors import CertkitError
+from certkit.grading.car_verdict import car_verdict
+from certkit.grading.judge_car import judge_car
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    from certkit.definitions.campaign import Campaign
+    from certkit.documents.campaign_report import CampaignReport, SourceReport
+
+
+def campaign_checks(folder: Path, document: CampaignReport) -> Iterator[Check]:
+    """Check what a campaign carries, that its judgement follows from its points, and the results beside it.
+
+    Parameters
+    ----------
+    folder : Path
+        That the document lies in.
+    document : CampaignReport
+    """
+    texts: dict[tuple[str, str], str] = {}
+    for item in document.provenance.inputs:
+        if item.text is None or item.role not in KINDS:
+            continue
+        digests = {hashlib.sha256(mark + item.text.encode()).hexdigest() for mark in (b"", b"\xef\xbb\xbf")}
+        yield judged(f"campaign: {item.role} {item.path}", item.sha256 in digests, "input-changed")
+        texts[item.role, str(read_tree(item.text, item.path).data.get(item.role))] = item.text
+    yield _judged_again(document, TextShelf(texts))
+    for point in document.points:
+        for source in point.sources:
+            if source.folder:
+                yield _beside(folder, f"point {point.name}: {source.kind}", source)
+
+
+def _judged_again(document: CampaignReport, shelf: TextShelf) -> Check:
+    what = "campaign: judged again"
+    try:
+        sheet = cast("Campaign", load("campaign", document.campaign, library=(shelf,)).document)
+        terms, _ = campaign_schemes(sheet, (shelf,))
+        made = [judge_car(each, document.points, symmetric=sheet.car.symmetric) for each in terms]
+    except CertkitError as error:
+        return fails(what, "not-judgeable", error=str(error))
+    verdict, _ = car_verdict(made, document.agreement, document.tolerance_percent)
+    found = [
+        *differences(document.schemes, made, "schemes"),
+        *differences(document.verdict, verdict, "verdict"),
+    ]
+    if found:
+        first = found[0]
+        return fails(what, "judged-otherwise", place=first.place, said=first.said, made=first.made)
+    return holds(what)
+
+
+def _beside(folder: Path, what: str, source: SourceReport) -> Check:
+    """Check that the result behind a source is the one that is named, with the values that were judged."""
+    path = folder / source.folder / Result.file_name
+    if not path.is_file():
+        return unchecked(what, "point-result-missing")
+    result = Result.read(path)
+    made = result.content_id()
+    if source.certificate not in {made, result.id} or made != result.id:
+        return fails(what, "point-result-differs", said=source.certificate, made=made)
+    for value in source.values:
+        real = result.criteria[value.id].value if value.id in result.criteria.ids else None
+        if value.value is not None and value.value != real:
+            return fails(what, "point-value-differs", said=f"{value.id} {value.value:g}", made=str(real))
+    return holds(what)
