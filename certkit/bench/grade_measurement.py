@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -86,6 +87,7 @@ def grade(
     recording = replace(read.recording, conditions=conditions)
     header = [f"{words}: {value}" for words, value in read.header.items()]
     odd = header_contradictions(read.header, lab, str(laboratory))
+    _check_type(read.header.get("Type of the test", ""), setup.procedure.procedure, data)
     made_by = read.header.get("procedure", setup.procedure.procedure)
     if made_by != setup.procedure.procedure:
         odd.append(Reason.of("recorded-by-other-procedure", made=made_by, graded=setup.procedure.procedure))
@@ -108,6 +110,27 @@ def _mapping(path: Path | None, channels: ChannelTable) -> tuple[Mapping | None,
     mapping = validate(read_tree(data, str(path)), Mapping, channels=channels)
     digest = hashlib.sha256(data).hexdigest()
     return mapping, [InputFile(role="mapping", path=path.name, sha256=digest, text=data.decode("utf-8-sig"))]
+
+
+TYPES = ("pendulum", "inverse", "static")
+"""Words for a kind of certification test; a header that says one of them is of no other kind."""
+
+
+def _check_type(told: str, procedure: str, data: Path) -> None:
+    """Refuse a test whose header says that it is of another kind.
+
+    Raises
+    ------
+    DataError
+        When it names another kind of certification test than the procedure's.
+    """
+    words = set(re.findall(r"[a-z]+", told.casefold()))
+    other = [word for word in TYPES if word in words]
+    if other and not any(word in procedure for word in other):
+        raise DataError(
+            f"{data}: `Type of the test` is `{told[:40]}`, but it is graded by the procedure {procedure}; "
+            "name the procedure that was carried out with `--procedure`, or correct the header"
+        )
 
 
 def _check_amount(recording: Recording, data: Path) -> None:

@@ -54,6 +54,8 @@ class MmeChannel:
         Whether its data source is a simulation.
     notes : tuple of Reason
         What the file says of its data.
+    belongs : tuple of (str, str)
+        Number of the test object, and the object and position that the code begins with.
     """
 
     kind: ChannelKind
@@ -63,6 +65,7 @@ class MmeChannel:
     filtered: str
     simulated: bool
     notes: tuple[Reason, ...]
+    belongs: tuple[str, str] = ("", "")
 
 
 def read_channel(
@@ -103,6 +106,7 @@ def read_channel(
         return refused
     _check_code(header, code, leniency)
     _check_dimension(header, kind, leniency)
+    _check_direction(header, code, leniency)
     base = _time_base(header, leniency)
     try:
         values = read_samples(Lines(place, header.end + 1, lines[header.end :]))[:, 0]
@@ -126,6 +130,7 @@ def read_channel(
         filtered=filtered,
         simulated=source is not None and source.value.casefold() == "simulation",
         notes=(*doubts, *told),
+        belongs=(_object(header), code[:2]),
     )
 
 
@@ -202,6 +207,27 @@ def _check_dimension(header: Header, kind: ChannelKind, leniency: Leniency) -> N
             f"`Dimension` is `{stated.value}`, but the code means {kind.title}, a {kind.dimension.name}",
             "the code is right",
         )
+
+
+def _check_direction(header: Header, code: str, leniency: Leniency) -> None:
+    """Hold `Direction` against the direction in the code, the letter before the filter's."""
+    stated = header.find("Direction")
+    letter = code[-2:-1]
+    if stated is None or letter in {"", "0"}:
+        return
+    word = stated.value.strip().upper()
+    if word in {"X", "Y", "Z", "R"} and word != letter:
+        leniency.depart(
+            header.at(stated),
+            f"`Direction` is `{word}`, but the code {code} says {letter}",
+            "the code is right",
+        )
+
+
+def _object(header: Header) -> str:
+    """Return the number of the test object; empty where the file does not say it."""
+    stated = header.find("Test object number")
+    return "" if stated is None else stated.value.strip().lstrip("0")
 
 
 def _unit(header: Header, kind: ChannelKind, leniency: Leniency) -> str:

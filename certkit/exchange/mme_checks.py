@@ -11,6 +11,8 @@ from certkit.exchange.data_units import factor, table_dimension
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import numpy as np
     from numpy.typing import NDArray
 
@@ -125,6 +127,33 @@ def check_extremes(
                 f"`{words}` is {stated.value[:40]}, but that of the samples is {own:.6g} {unit}",
                 "the samples are right",
             )
+
+
+def check_one_object(belongs: Sequence[tuple[str, str, str]], leniency: Leniency) -> None:
+    """Hold the channels against each other: those of one kind of object are of one object, in one position.
+
+    Parameters
+    ----------
+    belongs : sequence of (str, str, str)
+        Each channel's file, the number of its test object, and the object and position of its code (`D0`).
+
+    Raises
+    ------
+    DataError
+        When one names another than most of them, and reading is strict.
+    """
+    for letter in sorted({code[:1] for *_, code in belongs}):
+        of_kind = [item for item in belongs if item[2][:1] == letter]
+        for which, words in ((1, "test object"), (2, "object and position")):
+            named = [item[which] for item in of_kind if item[which]]
+            usual = max(named, key=named.count, default="")
+            for item in of_kind:
+                if item[which] not in {"", usual}:
+                    leniency.depart(
+                        item[0],
+                        f"belongs to {words} {item[which]}, the other channels to {usual}",
+                        f"it is of {words} {usual} too",
+                    )
 
 
 def _bandwidth(words: str) -> float:

@@ -22,7 +22,7 @@ from certkit.exchange.container import Container, open_container
 from certkit.exchange.leniency import Leniency
 from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.mme_channel import MmeChannel, read_channel
-from certkit.exchange.mme_checks import data_status_of_test
+from certkit.exchange.mme_checks import check_one_object, data_status_of_test
 from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import common_base
@@ -118,6 +118,7 @@ def read_mme(
     known = table_of_codes((item.code for item in listed), tables or (default_channels(),))
     table = code_table(mapping, known)
     parts, notes = _channels(texts, listed, known, table, leniency)
+    check_one_object([(x.place, *x.belongs) for x in parts], leniency)
     base, values = common_base({x.place: (x.base, x.values) for x in parts}, leniency)
     channels = {
         x.kind.name: Channel(

@@ -11,6 +11,7 @@ import numpy as np
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.errors import DataError
 from certkit.signals.condition import SETTLED
+from certkit.signals.offset import MARGIN
 from certkit.signals.plausibility_motion import blow
 
 if TYPE_CHECKING:
@@ -59,6 +60,11 @@ class LegChannels:
     def begin(self) -> int:
         """Return the index of contact."""
         return int(np.searchsorted(self.filtered.recording.time, 0.0))
+
+    @cached_property
+    def rest(self) -> int:
+        """Return the index behind the last sample at rest."""
+        return int(np.searchsorted(self.filtered.recording.time, -MARGIN))
 
     @cached_property
     def end(self) -> int:

@@ -11,7 +11,7 @@ from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.grading.channels_of_leg import LegChannels
 from certkit.reasons import Reason
 from certkit.signals.clipping import find_clipping
-from certkit.signals.offset import MARGIN
+from certkit.signals.noise import FREE_FLIGHT_NOISE
 from certkit.signals.plausibility_motion import (
     WINDOW,
     activity,
@@ -24,6 +24,7 @@ from certkit.signals.plausibility_motion import (
     off_the_line,
     turned_gauges,
 )
+from certkit.signals.plausibility_rest import copies, drift_until_peak, swing_at_rest
 from certkit.signals.plausibility_steps import (
     LIGAMENT_SPEED,
     drop_out,
@@ -81,7 +82,7 @@ def doubtful_channels(filtered: Filtered, window: EvaluationWindow, decided: flo
     for check in CHECKS:
         for name, reason in check(leg):
             doubts.setdefault(name, reason)
-    return ChannelDoubts(doubts, tuple(_patterns(leg, doubts)))
+    return ChannelDoubts(doubts, (*_patterns(leg, doubts), *_unsteady(leg, doubts)))
 
 
 def _kept(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
@@ -142,9 +143,8 @@ def _clipped(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 
 def _dead(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that do not move though the bones do."""
-    rest = int(np.searchsorted(leg.filtered.recording.time, -MARGIN))
     for name, values in leg.after.items():
-        if is_dead(values, leg.smooth[name][:rest], leg.amplitude_class(name)) and leg.blow_beside(name):
+        if is_dead(values, leg.smooth[name][: leg.rest], leg.amplitude_class(name)) and leg.blow_beside(name):
             channel = leg.channels[name]
             swing = float(np.ptp(values)) * channel.dimension.scale if values.size else 0.0
             yield name, Reason.of("channel-dead", swing=swing, unit=channel.dimension.unit)
@@ -152,8 +152,7 @@ def _dead(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 
 def _early(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that move before contact though the others are at rest: shifted in time, or drifting."""
-    rest = int(np.searchsorted(leg.filtered.recording.time, -MARGIN))
-    before = {name: values[:rest] for name, values in leg.smooth.items() if leg.blow_beside(name)}
+    before = {name: values[: leg.rest] for name, values in leg.smooth.items() if leg.blow_beside(name)}
     for name, share in moves_early(before, leg.peaks).items():
         yield name, Reason.of("moves-before-contact", share=100.0 * share)
 
@@ -202,6 +201,14 @@ def _regulated(leg: LegChannels, name: str) -> bool:
     return kind.sign > 0 or (kind.usual or 0.0) > 0
 
 
+def _copied(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
+    """Yield channels of a measured test that share one noise: one sensor, recorded twice."""
+    if leg.filtered.recording.kind == "measured":
+        for one, other in copies({name: c.values[: leg.rest] for name, c in leg.channels.items()}):
+            yield one, Reason.of("channel-copied", other=other)
+            yield other, Reason.of("channel-copied", other=one)
+
+
 def _units(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that are out by a power of ten."""
     kinds = leg.filtered.recording.table.kinds
@@ -231,10 +238,28 @@ CHECKS: tuple[Callable[[LegChannels], Iterator[tuple[str, Reason]]], ...] = (
     _dead,
     _frozen,
     _turned,
+    _copied,
     _units,
     _early,
 )
 """In the order in which a channel's first fault is told."""
+
+
+def _unsteady(leg: LegChannels, doubts: Mapping[str, Reason]) -> Iterator[Reason]:
+    """Yield channels of a measured test that are restless before contact; a leg in flight never rests."""
+    recording = leg.filtered.recording
+    if recording.kind != "measured" or FREE_FLIGHT_NOISE in recording.conditions:
+        return
+    for name, values in leg.smooth.items():
+        if name in doubts or not leg.after[name].size or not leg.blow_beside(name):
+            continue
+        until_peak = leg.begin + int(np.abs(leg.after[name]).argmax()) - leg.rest // 2
+        drift = drift_until_peak(values[: leg.rest], until_peak, leg.peaks[name])
+        swing = swing_at_rest(values[: leg.rest], leg.peaks[name])
+        if drift is not None:
+            yield Reason.of("drifts-at-rest", channel=name, share=100.0 * abs(drift))
+        elif swing is not None:
+            yield Reason.of("swings-at-rest", channel=name, share=100.0 * swing)
 
 
 def _patterns(leg: LegChannels, doubts: Mapping[str, Reason]) -> Iterator[Reason]:

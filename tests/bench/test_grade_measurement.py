@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -164,6 +165,21 @@ def test_laboratory_and_data_must_agree(certkit: Command, data: Path, tmp_path: 
     code, _, said = certkit("grade", "--procedure", "pendulum", data, "--lab", lab, "--out", tmp_path / "out")
     assert code == 2
     assert "condition added mass" in said
+
+
+@pytest.mark.parametrize(("told", "refused"), [("Inverse test", True), ("pendulum impact", False)])
+def test_a_header_that_names_another_kind_of_test_is_refused(tmp_path: Path, told: str, *, refused: bool):
+    recording = pendulum_like()
+    conditions = {**recording.conditions, "added mass": 5.0}
+    data = tmp_path / "leg"
+    write_mme(replace(recording, conditions=conditions), data)
+    master = next(data.glob("*.mme"))
+    master.write_text(re.sub(r"(?m)^(Type of the test\s*:).*", rf"\1{told}", master.read_text()))
+    if not refused:
+        assert grade_measurement.grade("pendulum", data).verdict == "pass"
+        return
+    with pytest.raises(DataError, match="`Type of the test` is `Inverse test`"):
+        grade_measurement.grade("pendulum", data)
 
 
 def assert_refused(certkit: Command, data: Path, says: str) -> None:

@@ -151,6 +151,25 @@ def test_a_dimension_that_the_code_denies_is_an_error(mme: Path):
         read_recording(mme)
 
 
+def test_a_direction_that_the_code_denies_is_an_error(mme: Path):
+    change(mme / CHANNEL, "Direction                    :X", "Direction                    :Y")
+    with pytest.raises(DataError, match=r"leg\.001:9: `Direction` is `Y`, but the code .* says X"):
+        read_recording(mme)
+
+
+def test_a_channel_of_another_object_is_an_error(mme: Path):
+    change(mme / CHANNEL, "object number           :1", "object number           :2")
+    with pytest.raises(DataError, match=r"leg\.001: belongs to test object 2, the other channels to 1"):
+        read_recording(mme)
+
+
+def test_a_channel_of_another_position_is_an_error(mme: Path):
+    for file in ("Channel/leg.chn", CHANNEL):
+        change(mme / file, "D0TIBIUP00PF", "D2TIBIUP00PF")
+    with pytest.raises(DataError, match=r"position D2, the other channels to D0"):
+        read_recording(mme)
+
+
 def test_one_simulated_channel_among_measured_ones_is_an_error(mme: Path):
     change(mme / CHANNEL, ":transducer", ":simulation")
     with pytest.raises(

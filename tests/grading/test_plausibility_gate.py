@@ -234,3 +234,14 @@ def test_a_channel_that_is_driven_into_its_limits_after_the_interval_is_evidence
     assert result.interval is not None
     assert result.interval[1] < 0.07
     assert result.verdict == "pass", [c.reason for c in result.criteria]
+
+
+def test_two_channels_that_share_one_noise_are_one_sensor_recorded_twice():
+    record = intact()
+    copy = damaged("T3", lambda _, v: 0.75 * record["T2"].values + 0.0 * v)
+    result = graded(copy)
+    reasons = {name: result.criteria[name].coded_reason for name in ("T2", "T3")}
+    assert {n: r.code for n, r in reasons.items() if r is not None} == dict.fromkeys(
+        ("T2", "T3"), "channel-copied"
+    )
+    assert result.verdict == "not evaluated"

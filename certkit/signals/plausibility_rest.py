@@ -1,0 +1,83 @@
+"""What channels show at rest, before contact: noise that two of them share, drift, hum."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from numpy.typing import NDArray
+
+SHARED = 0.99
+"""Correlation of the noise of two channels from which on they are one sensor recorded twice. That of two
+amplifiers is each one's own, also where both pick up the same hum."""
+LEAST = 60
+"""Samples at rest that a correlation needs, and a drift."""
+LEVELS = 5
+"""Different values that noise has at least; a channel of fewer shows none."""
+UNSTEADY = 0.08
+"""Share of its largest size that a channel may swing at rest; good recordings show up to 0.06, where the peak
+is small."""
+DRIFT = 0.02
+"""Share of its largest size that a channel may drift by until its peak, as it does at rest."""
+
+
+def copies(rest: Mapping[str, NDArray[np.float64]]) -> list[tuple[str, str]]:
+    """Return pairs of channels that show the same noise.
+
+    Parameters
+    ----------
+    rest : mapping of str to ndarray, shape (n,)
+        Not filtered, before contact. Second differences are compared, so that hum and drift do not count.
+    """
+    noisy = {}
+    for name, values in rest.items():
+        steps = np.diff(values, 2)
+        if values.size >= LEAST and np.unique(values).size >= LEVELS and float(steps.std()) > 0.0:
+            noisy[name] = (steps - steps.mean()) / float(steps.std())
+    names = list(noisy)
+    return [
+        (name, other)
+        for k, name in enumerate(names)
+        for other in names[k + 1 :]
+        if abs(float((noisy[name] * noisy[other]).mean())) > SHARED
+    ]
+
+
+def swing_at_rest(rest: NDArray[np.float64], peak: float) -> float | None:
+    """Return the swing of a filtered channel at rest as a share of its peak, where that is too much."""
+    share = float(np.ptp(rest)) / peak if rest.size >= LEAST and peak > 0.0 else 0.0
+    return share if share > UNSTEADY else None
+
+
+def drift_until_peak(rest: NDArray[np.float64], samples: int, peak: float) -> float | None:
+    """Return how far a channel drifts until its peak as a share of it, where that is too much.
+
+    Parameters
+    ----------
+    rest : ndarray, shape (n,)
+        Filtered, before contact.
+    samples : int
+        From the middle of the rest to the peak.
+    peak : float
+        Largest size.
+
+    Returns
+    -------
+    float or None
+        Of the straight line through the rest; None where it drifts little, or where the line explains less
+        than half of what moves at rest.
+    """
+    if rest.size < LEAST or peak <= 0.0:
+        return None
+    place = np.arange(rest.size) - 0.5 * (rest.size - 1)
+    slope = float((place * rest).sum() / (place * place).sum())
+    line = slope * place
+    moved = float(((rest - rest.mean()) ** 2).sum())
+    if moved == 0.0 or float((line * line).sum()) < 0.5 * moved:
+        return None
+    share = slope * samples / peak
+    return share if abs(share) > DRIFT else None
