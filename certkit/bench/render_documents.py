@@ -174,6 +174,19 @@ def render_suite(  # noqa: PLR0913  # as many as the command has options
     return [Path(out) / path.relative_to(stage) for path in written]
 
 
+def check_key(sign: str | Path | None) -> None:
+    """Refuse a key that cannot be opened, before anything is computed.
+
+    Raises
+    ------
+    InputError
+        When it cannot be read, or its passphrase is another one.
+    RunError
+        When the extra `signature` is not installed.
+    """
+    _signer(sign)
+
+
 def _signer(key: str | Path | None) -> Callable[[bytes], bytes] | None:
     """Open a key before anything is written; None where nothing is to be signed."""
     if key is None:

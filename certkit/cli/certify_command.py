@@ -66,12 +66,13 @@ def certify(
     simulated tests and replaced reports are refused. The exit code is the verdict's.
     """
     from certkit.bench.certify import certify as put_together  # noqa: PLC0415  # waits until it is needed
-    from certkit.bench.render_documents import render  # noqa: PLC0415  # likewise
+    from certkit.bench.render_documents import check_key, render  # noqa: PLC0415  # likewise
     from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
     from certkit.documents.verdicts import EXIT_CODES  # noqa: PLC0415  # likewise
     from certkit.reporting.legform_certificate_report import certificate_text  # noqa: PLC0415  # likewise
 
     permitted = terminal.allowed(allow)
+    check_key(sign)
     made = put_together(serial, tests or (), folder=logbook, rules=rules, day=on, laboratory=lab)
     folder = out or Path("runs") / f"certificate-{re.sub(r'[^A-Za-z0-9.-]+', '-', serial).strip('-.') or 'x'}"
     written = render(made, folder, formats, sign=sign, force=force, numbered=out is None, tell=terminal.tell)

@@ -71,13 +71,14 @@ def grade(
     result is refused, unless `--force` is given; without `--out` the next free `runs/NAME-2` is taken.
     """
     from certkit.bench.grade_measurement import grade as grade_test  # noqa: PLC0415  # numpy waits
-    from certkit.bench.render_documents import render  # noqa: PLC0415  # likewise
+    from certkit.bench.render_documents import check_key, render  # noqa: PLC0415  # likewise
     from certkit.bench.result_folder import distinct_names  # noqa: PLC0415  # likewise
     from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
     from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
 
     wanted = terminal.formats(formats)
     terminal.check_language(language)
+    check_key(sign)
     permitted = terminal.allowed(allow)
     several = len(data) > 1
     folder = out or Path("runs")

@@ -62,7 +62,7 @@ def run(
     the channels as CSV and the result document. The exit code is the verdict's. Where that folder holds
     another result, this one goes to `runs/pendulum-2`; with `--out` it is refused, unless `--force` is given.
     """
-    from certkit.bench.render_documents import render, render_suite  # noqa: PLC0415  # numpy waits until a test is run
+    from certkit.bench.render_documents import check_key, render, render_suite  # noqa: PLC0415  # numpy waits until a test is run
     from certkit.bench.result_folder import distinct_names  # noqa: PLC0415  # likewise
     from certkit.bench.run_simulation import run as simulate  # noqa: PLC0415  # likewise
     from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
@@ -70,6 +70,7 @@ def run(
 
     wanted = terminal.formats(formats)
     terminal.check_language(language)
+    check_key(sign)
     permitted = terminal.allowed(allow)
     names = terminal.procedures([*(named or ()), *(procedure or ())], every=every, library=library or ())
     changes = overrides_from(overrides or ())
