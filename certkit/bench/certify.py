@@ -72,9 +72,9 @@ def certify(  # as many as the command has options
         _check_given(serial, given, exact=own is not None and own.serial_numbers == "exact")
         add_tests(given, folder)
     book = Logbook(Path(folder))
-    leg = overview(book, serial, rules=own, day=day_of(day) if isinstance(day, str) else day)
-    leg = worded(leg)
-    results = [book.result(line.id) for line in tests_to_certify(leg).values() if line is not None]
+    asked = day_of(day) if isinstance(day, str) else day
+    leg = overview(book, serial, rules=own, day=asked, curves=True)
+    results = book.results(line.id for line in tests_to_certify(leg).values() if line is not None)
     issue = _issue(leg, results, None if laboratory is None else Path(laboratory))
     return worded(certificate_of(leg, results, issue)).with_id()
 

@@ -27,6 +27,7 @@ def logbook(
     serials: Sequence[str] = (),
     rules: str | Path | None = None,
     day: str | date | None = None,
+    curves: bool = False,
 ) -> list[LegOverview]:
     """Put tests into a logbook, and return what is known of each legform: validity left and why, trends.
 
@@ -43,6 +44,8 @@ def logbook(
         R127 when missing.
     day : str or date, optional
         The day that validity is asked for: `2026-03-31` or `today`; the day of the last test when missing.
+    curves : bool
+        Read the last ten curves of each channel as well.
 
     Raises
     ------
@@ -58,7 +61,10 @@ def logbook(
     own = None if rules is None else rules_of(Path(rules))
     asked = day_of(day) if isinstance(day, str) else day
     exact = own is not None and own.serial_numbers == "exact"
-    return [overview(book, serial, rules=own, day=asked) for serial in serials or book.serials(exact=exact)]
+    return [
+        overview(book, serial, rules=own, day=asked, curves=curves)
+        for serial in serials or book.serials(exact=exact)
+    ]
 
 
 def rules_of(named: Path) -> LogbookRules:

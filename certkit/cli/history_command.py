@@ -70,7 +70,7 @@ def show(
     from certkit.reporting.logbook_page import logbook_page  # noqa: PLC0415  # likewise
     from certkit.reporting.logbook_text import overview_text  # noqa: PLC0415  # likewise
 
-    legs = overviews(logbook, serials=serial or (), rules=rules, day=on)
+    legs = overviews(logbook, serials=serial or (), rules=rules, day=on, curves=html is not None)
     if html:
         write_alone(html, logbook_page(legs), force=force)
         typer.echo(f"wrote {html}", err=True)

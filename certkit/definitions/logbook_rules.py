@@ -121,10 +121,27 @@ class Overload(Sourced):
 Rule = Annotated[Interval | Count | TestSequence | Overload, Field(discriminator="rule")]
 
 
+class PublishedVariation(Sourced):
+    """A published coefficient of variation of a test, to hold a legform's own against."""
+
+    procedure: str
+    below: Annotated[str, _readable("ratio")]
+
+    @property
+    def percent(self) -> float:
+        """The coefficient, %."""
+        return 100 * parse_quantity(self.below, "ratio")
+
+    def lines(self) -> dict[str, str]:
+        """Return its number as people read it."""
+        return {"below": self.below}
+
+
 class TrendRule(Document):
-    """When a row of values is long enough to be judged."""
+    """When a row of values is long enough to be judged, and what its scatter is held against."""
 
     at_least: Annotated[int, Field(ge=3, le=1000, description="Tests of one kind.")] = 5
+    published: Annotated[list[PublishedVariation], Field(max_length=50)] = []
 
 
 class LogbookRules(Document):

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from certkit.definitions.provenance import Confidence
 from certkit.documents.output_document import OutputDocument, Part
-from certkit.documents.rounding import Figure
+from certkit.documents.rounding import Figure, Points
 
 
 class TestLine(Part):
@@ -51,6 +51,10 @@ class Trend(Part):
     mean: Figure
     standard_deviation: Figure | None
     variation_percent: Annotated[Figure | None, Field(description="%CV: deviation / |mean|.")]
+    published_percent: Annotated[Figure | None, Field(description="A published %CV to hold it against.")] = (
+        None
+    )
+    published_source: str = ""
     control_lower: Annotated[Figure | None, Field(description="Individuals chart: mean − 2.66·mean range.")]
     control_upper: Figure | None
     outside_control: Annotated[list[int], Field(description="Tests beyond the control limits, from 1.")]
@@ -58,6 +62,29 @@ class Trend(Part):
     drifts: Annotated[bool, Field(description="The slope is more than twice its standard error.")]
     leaves: Annotated[str | None, Field(description="Day on which the drift leaves the corridor.")]
     remark: str
+
+
+class CurveOfTest(Part):
+    """The curve of one test."""
+
+    day: str
+    number: str
+    id: str
+    points: Annotated[Points, Field(description="Time in ms or the channel along, and the value.")]
+
+
+class PastCurves(Part):
+    """The curves that one criterion looked at in the last tests of a procedure, the latest last."""
+
+    procedure: str
+    criterion: str
+    title: str
+    x_title: str
+    unit: str
+    lower: Figure | None = None
+    upper: Figure | None = None
+    polygon: Points | None = None
+    curves: list[CurveOfTest]
 
 
 class LegOverview(OutputDocument):
@@ -78,3 +105,4 @@ class LegOverview(OutputDocument):
     counts: Annotated[dict[str, int], Field(description="Tests by procedure.")]
     validity: list[Validity]
     trends: list[Trend]
+    curves: Annotated[list[PastCurves], Field(description="The last curves of each channel.")] = []

@@ -75,19 +75,21 @@ class Logbook:
         """Return the id of the report that took the place of each replaced one, in the whole logbook."""
         return replacements(self._entries())
 
-    def result(self, entry_id: str) -> Result:
-        """Return the document of a test.
+    def results(self, ids: Iterable[str]) -> list[Result]:
+        """Return the documents of tests, in the order of their ids.
 
         Raises
         ------
         DataError
-            When the logbook has none of that id.
+            When the logbook has none of an id.
         """
         with _locked(self):
-            names = [name for name, entry in _agreed(self).items() if entry.id == entry_id]
-        if not names:
-            raise DataError(f"{self.folder}: has no test {entry_id}")
-        return Result.read(self.documents / names[0])
+            names = {entry.id: name for name, entry in _agreed(self).items()}
+        wanted = list(ids)
+        missing = [each for each in wanted if each not in names]
+        if missing:
+            raise DataError(f"{self.folder}: has no test {missing[0]}")
+        return [Result.read(self.documents / names[each]) for each in wanted]
 
     def _entries(self) -> list[LogbookEntry]:
         if not self.documents.is_dir():

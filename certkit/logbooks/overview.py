@@ -12,12 +12,16 @@ from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.logbook_overview import LegOverview, TestLine
 from certkit.errors import UsageError
+from certkit.logbooks.past_curves import MOST_TESTS, past_curves
 from certkit.logbooks.trend import trends
 from certkit.logbooks.validity import validity
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from datetime import date
 
+    from certkit.documents.logbook_overview import PastCurves
+    from certkit.logbooks.logbook_entry import LogbookEntry
     from certkit.logbooks.logbook_store import Logbook
 
 _STATES = ("never certified", "revoked", "due", "valid")
@@ -52,7 +56,12 @@ def shipped_names() -> list[str]:
 
 
 def overview(
-    logbook: Logbook, serial: str, *, rules: LogbookRules | None = None, day: date | None = None
+    logbook: Logbook,
+    serial: str,
+    *,
+    rules: LogbookRules | None = None,
+    day: date | None = None,
+    curves: bool = False,
 ) -> LegOverview:
     """Draw up the overview of a legform.
 
@@ -66,6 +75,8 @@ def overview(
         The shipped ones when missing.
     day : date, optional
         The day that validity is asked for; the day of the last test when missing.
+    curves : bool
+        Read the last curves of each channel as well, from the documents.
 
     Raises
     ------
@@ -106,5 +117,16 @@ def overview(
         ],
         counts=dict(sorted(Counter(entry.procedure for entry in entries).items())),
         validity=lines,
-        trends=trends([e for e in entries if e.procedure in certifying], rules.trend.at_least),
+        trends=trends([e for e in entries if e.procedure in certifying], rules.trend),
+        curves=_curves(logbook, entries, certifying) if curves else [],
     ).with_id()
+
+
+def _curves(logbook: Logbook, entries: list[LogbookEntry], procedures: Sequence[str]) -> list[PastCurves]:
+    """Return the last curves of the tests that certify."""
+    last = [
+        entry.id
+        for name in procedures
+        for entry in [each for each in entries if each.procedure == name][-MOST_TESTS:]
+    ]
+    return past_curves(logbook.results(last))

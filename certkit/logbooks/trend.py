@@ -13,6 +13,7 @@ from certkit.documents.logbook_overview import Trend
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from certkit.definitions.logbook_rules import PublishedVariation, TrendRule
     from certkit.logbooks.logbook_entry import LogbookEntry, Reading
 
 INDIVIDUALS = 2.66
@@ -24,7 +25,7 @@ HORIZON = 3653
 YEAR = 365.25
 
 
-def trends(entries: Sequence[LogbookEntry], at_least: int) -> list[Trend]:
+def trends(entries: Sequence[LogbookEntry], rule: TrendRule) -> list[Trend]:
     """Return the trends of one legform, by procedure and criterion in the order of first appearance.
 
     Only tests of the same rig can show a drift of the legform, so the caller leaves out vehicle tests.
@@ -33,18 +34,23 @@ def trends(entries: Sequence[LogbookEntry], at_least: int) -> list[Trend]:
     ----------
     entries : sequence of Entry
         In order.
-    at_least : int
-        Tests below which neither control limits nor a drift are given.
+    rule : TrendRule
+        Tests below which neither control limits nor a drift are given; published coefficients of variation.
     """
     rows: dict[tuple[str, str], list[tuple[date, Reading]]] = {}
     for entry in entries:
         for reading in entry.readings:
             if reading.value is not None and math.isfinite(reading.value):
                 rows.setdefault((entry.procedure, reading.criterion), []).append((entry.day, reading))
-    return [_trend(procedure, row, at_least) for (procedure, _), row in rows.items()]
+    known = {each.procedure: each for each in rule.published}
+    return [
+        _trend(procedure, row, rule.at_least, known.get(procedure)) for (procedure, _), row in rows.items()
+    ]
 
 
-def _trend(procedure: str, row: list[tuple[date, Reading]], at_least: int) -> Trend:
+def _trend(
+    procedure: str, row: list[tuple[date, Reading]], at_least: int, published: PublishedVariation | None
+) -> Trend:
     days = [day for day, _ in row]
     last = row[-1][1]
     values = [reading.value for _, reading in row if reading.value is not None]
@@ -71,6 +77,8 @@ def _trend(procedure: str, row: list[tuple[date, Reading]], at_least: int) -> Tr
         mean=mean,
         standard_deviation=deviation,
         variation_percent=None if deviation is None or mean == 0 else 100 * deviation / abs(mean),
+        published_percent=None if published is None else published.percent,
+        published_source="" if published is None else published.source or "",
         control_lower=None if reach is None else mean - reach,
         control_upper=None if reach is None else mean + reach,
         outside_control=[]

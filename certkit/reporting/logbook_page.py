@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from certkit.files import write_whole
 from certkit.reporting import palette
+from certkit.reporting.charts.past_curves_chart import past_curves_chart
 from certkit.reporting.number_format import named, plain
 from certkit.reporting.scales import Scale, span, ticks
 from certkit.reporting.static_page import static_page
@@ -41,7 +42,11 @@ def logbook_page(legs: Sequence[LegOverview]) -> str:
     """Return one page with a section for each legform."""
     title = f"Logbook of legform {legs[0].serial}" if len(legs) == 1 else f"Logbook of {len(legs)} legforms"
     shown = [
-        (leg, [(trend, control_chart(trend) if trend.count > 1 else "") for trend in leg.trends])
+        (
+            leg,
+            [(trend, control_chart(trend) if trend.count > 1 else "") for trend in leg.trends],
+            [past_curves_chart(past) for past in leg.curves],
+        )
         for leg in legs
     ]
     return static_page("logbook.html.j2", title, legs=shown)

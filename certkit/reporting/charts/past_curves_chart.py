@@ -1,0 +1,68 @@
+"""The curves of a channel over a legform's last tests, laid over each other in its corridor."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from certkit.reporting import palette
+from certkit.reporting.charts.axes import Frame
+from certkit.reporting.number_format import named
+from certkit.reporting.scales import span
+from certkit.reporting.svg import Drawing, label, path, tag
+
+if TYPE_CHECKING:
+    from certkit.documents.logbook_overview import PastCurves
+
+WIDTH, HEIGHT = 360.0, 210.0
+
+
+def past_curves_chart(past: PastCurves) -> Drawing:
+    """Draw them: the last test in colour, those before it grey and paler the older they are."""
+    points = [point for curve in past.curves for point in curve.points]
+    limits = [limit for limit in (past.lower, past.upper) if limit is not None] if not past.polygon else []
+    x = span([*(p[0] for p in points), *(p[0] for p in past.polygon or ())], margin=0)
+    y = span([0.0, *(p[1] for p in points), *(p[1] for p in past.polygon or ()), *limits])
+    frame = Frame.around(x, y, width=WIDTH, height=HEIGHT, below=36)
+    title = f"{past.procedure}: {named(past.criterion, past.title)}"
+    drawn = _corridor(past, limits, frame)
+    drawn += frame.axes(title, past.x_title, past.unit)
+    count = len(past.curves)
+    for number, curve in enumerate(past.curves, 1):
+        last = number == count
+        drawn += tag(
+            "path",
+            d=path(frame.place(*point) for point in curve.points),
+            fill="none",
+            stroke=palette.PENS[0].colour if last else palette.MUTED,
+            stroke_width=1.8 if last else 0.9,
+            stroke_opacity="1" if last else f"{0.3 + 0.5 * number / count:.2f}",
+            class_="curve p0" if last else "zero",
+        )
+    said = f"{count} test{'s' if count > 1 else ''}, {past.curves[0].day} to {past.curves[-1].day}"
+    drawn += label(frame.right, HEIGHT - 4, said, text_anchor="end", fill=palette.MUTED, class_="tick")
+    return Drawing(WIDTH, HEIGHT, drawn, f"{title} in {past.unit}: {said}; the last one in colour")
+
+
+def _corridor(past: PastCurves, limits: list[float], frame: Frame) -> str:
+    """Draw the corridor of the largest value, or the area of the curve."""
+    if past.polygon:
+        return tag(
+            "path",
+            d=path((frame.place(*p) for p in past.polygon), closed=True),
+            fill=palette.CORRIDOR,
+            stroke=palette.CORRIDOR_EDGE,
+            stroke_dasharray="5 3",
+            class_="corridor limit",
+        )
+    if len(limits) < 2:
+        return ""
+    low, high = limits
+    return tag(
+        "rect",
+        x=frame.left,
+        y=frame.y(high),
+        width=frame.right - frame.left,
+        height=frame.y(low) - frame.y(high),
+        fill=palette.CORRIDOR,
+        class_="corridor",
+    )
