@@ -35,10 +35,6 @@ SMALLEST = {"N·m": 20.0, "mm": 1.5, "N": 200.0}
 relative to this. No corridor begins below 3.5 mm or 90 N·m, so such a peak decides nothing."""
 
 
-SLACK = 1.02
-"""A spring shortened by less than this multiple of what was seen is within it."""
-
-
 @dataclass(frozen=True)
 class Refinement:
     """What finer runs say of the reported one: largest change, and numerical uncertainty by criterion."""
@@ -103,26 +99,8 @@ def run_setup(setup: Setup, *, refine: bool = True, library: Library = ()) -> Re
         energies=simulation.energies,
         front=simulation.front,
     )
-    notes = [Reason.words(text) for text in (*setup.remarks, *_beyond(setup, simulation))]
+    notes = [Reason.words(text) for text in setup.remarks]
     return worded(evaluate(measured, setup.terms(), simulated=simulated, notes=notes))
-
-
-def _beyond(setup: Setup, simulation: Simulation) -> list[str]:
-    """Remark on springs that were shortened beyond what their curves were read from."""
-    front = simulation.front
-    if front is None or setup.vehicle is None:
-        return []
-    remarks = []
-    for name, spring in setup.vehicle.springs.items():
-        if spring.seen is None or name not in front.springs:
-            continue
-        most = max(x for x, _ in front.springs[name].points)
-        if most > SLACK * 1e3 * float(spring.seen):
-            remarks.append(
-                f"the spring {name} was shortened by {most:.1f} mm; its curve is known up to "
-                f"{1e3 * float(spring.seen):.1f} mm and continued beyond"
-            )
-    return remarks
 
 
 def _simulate(setup: Setup, *, time_step: float | None = None, iterations: int | None = None) -> Simulation:

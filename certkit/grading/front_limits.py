@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from certkit.documents.result import Front
 
 RANGE = 1.001
-"""Times the last point of a spring's curve up to which it is within its range; rounding is no departure."""
+"""Times what a spring's curve is known up to, within which it is in its range; rounding is no departure."""
 
 
 @dataclass(frozen=True)
@@ -81,20 +81,21 @@ def _most(percents: dict[str, float]) -> Use | None:
 
 
 def beyond_range(front: Front, vehicle: Vehicle) -> list[Reason]:
-    """Return a remark on springs that were shortened beyond the last point of their curve.
+    """Return a remark on springs that were shortened beyond what their curve is known for.
 
     Parameters
     ----------
     front : Front
         Force over shortening, mm, by the springs' names.
     vehicle : Vehicle
-        The last point of `loading` is what a spring was extracted or measured up to.
+        A curve is known up to the shortening that was `seen` in its extraction, else up to its last point.
     """
     said = []
     for name, spring in vehicle.springs.items():
-        if name not in front.springs or spring.bottoming is not None:
+        if name not in front.springs or (spring.bottoming is not None and spring.seen is None):
             continue
-        last = (float(spring.loading[-1][0]) + float(spring.gap or 0.0)) * 1e3
+        end = float(spring.loading[-1][0]) + float(spring.gap or 0.0)
+        last = (end if spring.seen is None else float(spring.seen)) * 1e3
         most = max((float(point[0]) for point in front.springs[name].points), default=0.0)
         if most > RANGE * last:
             said.append(Reason.of("spring-beyond-range", spring=name, shortening=most, last=last))

@@ -90,6 +90,12 @@ def test_a_spring_that_nobody_extracted_is_only_remarked_upon():
     assert beyond_range(run(face=60.0), made()) == []
 
 
+def test_an_extracted_spring_is_remarked_upon_beyond_what_was_seen_of_it():
+    seen = made(springs={"foam": {"seen": "40 mm"}})
+    assert [reason.parameters["last"] for reason in beyond_range(run(face=50.0, beam=5.0), seen)] == [40.0]
+    assert beyond_range(run(face=45.0, beam=5.0), seen) == []
+
+
 def test_room_is_a_length_above_zero():
     with pytest.raises(ValueError, match="no room, no travel"):
         made(groups={"beam": {"room": "0 mm"}})
