@@ -35,6 +35,10 @@ def extract(
     checks: Annotated[
         bool, typer.Option("--checks/--no-checks", help="Hold the front, the leg and both to the run.")
     ] = True,
+    propose: Annotated[
+        bool,
+        typer.Option("--propose", help="Only print the case with a first grouping of its parts, to edit."),
+    ] = False,
     unclosed: Annotated[
         bool, typer.Option("--unclosed", help="Write the vehicle though the impulse does not close.")
     ] = False,
@@ -62,6 +66,11 @@ def extract(
     from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
     from certkit.documents.extraction import ExtractionResult  # noqa: PLC0415  # likewise
 
+    if propose:
+        from certkit.bench.propose_case import proposed_case  # noqa: PLC0415  # likewise
+
+        typer.echo(proposed_case(case, data=data, overrides=overrides_from(overrides or ())), nl=False)
+        return
     wanted = reports_of(ExtractionResult, formats)
     result = extract_vehicle(
         case,

@@ -151,8 +151,13 @@ class Case(Section):
     title: str
     vehicle: Annotated[str | None, Field(description="Name of the vehicle that is written.")] = None
     histories: HistoryFiles
-    groups: Annotated[dict[str, CaseGroup], Field(min_length=2, max_length=200)]
-    paths: Annotated[list[Path], Field(min_length=1, max_length=2000)]
+    groups: Annotated[
+        dict[str, CaseGroup],
+        Field(
+            max_length=200, description="Two at least; `certkit extract --propose` writes a first grouping."
+        ),
+    ] = {}
+    paths: Annotated[list[Path], Field(max_length=2000)] = []
     material: Material | None = None
     settings: Settings = Settings()
     notes: list[str] = []

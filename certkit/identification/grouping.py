@@ -65,6 +65,11 @@ def build_graph(case: Case, histories: PartHistories) -> Graph:
         For a part that is missing or in two groups, an unknown group, a path twice, a group that no path
         reaches.
     """
+    if len(case.groups) < 2 or not case.paths:
+        raise DataError(
+            f"the case {case.case} has no groups and paths yet; `certkit extract CASE.yaml --propose` "
+            "writes a first grouping to edit"
+        )
     groups = {name: _parts(name, group, histories) for name, group in case.groups.items()}
     if GROUND in groups:
         raise DataError(

@@ -24,7 +24,7 @@ class Face:
     """Mass and face of one part. Heights are above the ground, x grows into the car; metres and kilograms.
 
     `position` is x at the middle of the height span and `slope` is dx/dz, both a straight line through the
-    outline.
+    outline. `centre` is (x, z) of the part's centre of gravity, where the table has it.
     """
 
     mass: float
@@ -32,6 +32,7 @@ class Face:
     high: float | None = None
     position: float | None = None
     slope: float | None = None
+    centre: tuple[float, float] | None = None
 
 
 def read_faces(table: Path, outlines: Path | None) -> tuple[dict[str, Face], dict[str, str]]:
@@ -63,8 +64,10 @@ def read_faces(table: Path, outlines: Path | None) -> tuple[dict[str, Face], dic
         if mass is None or mass <= 0:
             raise DataError(f"{place}: `{name}` needs a mass above zero in `mass_kg`")
         low, high = _number(row, "z_low_mm", place), _number(row, "z_high_mm", place)
+        x, z = _number(row, "cg_x0_mm", place), _number(row, "cg_z0_mm", place)
+        centre = None if x is None or z is None else (x * 1e-3, z * 1e-3)
         if low is None or high is None:
-            faces[name] = Face(mass)
+            faces[name] = Face(mass, centre=centre)
             continue
         if high <= low:
             raise DataError(
@@ -72,7 +75,7 @@ def read_faces(table: Path, outlines: Path | None) -> tuple[dict[str, Face], dic
                 "`z_low_mm` or `z_high_mm`"
             )
         position, slope = _line(low, high, lines, row, place)
-        faces[name] = Face(mass, low * 1e-3, high * 1e-3, position * 1e-3, slope)
+        faces[name] = Face(mass, low * 1e-3, high * 1e-3, position * 1e-3, slope, centre)
     return faces, digests
 
 
