@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cache, cached_property
 from importlib.metadata import version
 from typing import TYPE_CHECKING, cast
 
@@ -13,7 +14,7 @@ from certkit.documents.result import InputFile, Override, Parameter, Provenance
 from certkit.grading.grading_terms import GradingTerms
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
     from pathlib import Path
 
     from pydantic import BaseModel
@@ -45,10 +46,38 @@ class Setup:
     vehicle: Vehicle | None
     corridors: dict[str, CorridorSet]
     reference: Reference | None
-    inputs: tuple[InputFile, ...]
-    overrides: tuple[Override, ...]
-    parameters: tuple[Parameter, ...]
-    remarks: tuple[str, ...] = ()
+    loaded: tuple[tuple[str, Loaded[BaseModel]], ...]
+    model_left_out: bool = False
+
+    # What only a document needs is made when one is made: thousands of runs of a study make none.
+    @cached_property
+    def inputs(self) -> tuple[InputFile, ...]:
+        """The files that went in, by their role."""
+        return tuple(
+            InputFile(role=role, path=item.path, sha256=item.sha256, text=item.text)
+            for role, item in [*self.loaded, *_confirmations(self.loaded)]
+            if not (self.model_left_out and role == "vehicle")
+        )
+
+    @cached_property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """All numbers that went in, each with its origin."""
+        found = _parameters(self.loaded)
+        return tuple(p for p in found if not (self.model_left_out and _of_the_model(p.path)))
+
+    @property
+    def overrides(self) -> tuple[Override, ...]:
+        """The values that were changed, by their paths as they were given."""
+        return tuple(
+            Override(path=_full(role, change.path), value=change.value, was=change.was)
+            for role, item in self.loaded
+            for change in item.overrides
+        )
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """Old forms and paths that were read; see `Loaded`."""
+        return tuple(remark for _, item in self.loaded for remark in item.remarks)
 
     def terms(self, *further: InputFile) -> GradingTerms:
         """Return what the test is graded by; `further` are input files beside the definitions."""
@@ -59,9 +88,15 @@ class Setup:
         return Provenance(
             certkit=__version__,
             inputs=[*self.inputs, *further],
-            packages={name: version(name) for name in PACKAGES},
+            packages=dict(package_versions()),
             overrides=list(self.overrides),
         )
+
+
+@cache
+def package_versions() -> Mapping[str, str]:
+    """Return the versions of `PACKAGES`; to read one from its metadata takes a millisecond."""
+    return {name: version(name) for name in PACKAGES}
 
 
 def prepare(procedure: str | Path, *, library: Library = (), overrides: Overrides | None = None) -> Setup:
@@ -105,27 +140,13 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Override
         vehicle=vehicle.document if vehicle else None,
         corridors={name: corridors.document for name, corridors in sets.items()},
         reference=reference.document if reference else None,
-        inputs=tuple(
-            InputFile(role=role, path=item.path, sha256=item.sha256, text=item.text)
-            for role, item in [*loaded, *_confirmations(loaded)]
-        ),
-        overrides=tuple(
-            Override(path=_full(role, change.path), value=change.value, was=change.was)
-            for role, item in loaded
-            for change in item.overrides
-        ),
-        parameters=tuple(_parameters(loaded)),
-        remarks=tuple(remark for _, item in loaded for remark in item.remarks),
+        loaded=tuple(loaded),
     )
 
 
 def without_model(setup: Setup) -> Setup:
     """Leave out the numbers of the simulated leg, rig and car; the legform's file stays, for its channels."""
-    return replace(
-        setup,
-        inputs=tuple(item for item in setup.inputs if item.role != "vehicle"),
-        parameters=tuple(p for p in setup.parameters if not _of_the_model(p.path)),
-    )
+    return replace(setup, model_left_out=True)
 
 
 def _of_the_model(path: str) -> bool:

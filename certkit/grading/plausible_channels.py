@@ -174,7 +174,7 @@ def _frozen(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
         else:
             levels = np.abs(leg.after[name])[::step][: own.size] > SLACK * leg.peaks[name]
         if len(others) > 1:
-            at = frozen_from(own, np.stack(others), levels)
+            at = frozen_from(own, others, levels)
             if at is not None:
                 yield name, Reason.of("channel-frozen", time=leg.at(leg.begin + at * step))
 

@@ -66,70 +66,82 @@ def find_clipping(values: NDArray[np.float64], amplitude_class: float | None = N
     """
     if values.size < 2 * FLAT_SAMPLES:
         return None
+    size = np.abs(values)
+    largest = float(size.max())
     if amplitude_class is not None:
-        over = np.abs(values) >= 0.9995 * amplitude_class
+        over = size >= 0.9995 * amplitude_class if largest >= 0.9995 * amplitude_class else size[:0] > 0
         both = np.flatnonzero(over[1:] & over[:-1])
         if both.size:
-            return Clipping(float(values[np.argmax(np.abs(values))]), int(both[0]))
-    largest = float(np.abs(values).max())
-    if amplitude_class is not None and largest < SMALL * amplitude_class:
-        return None
+            return Clipping(float(values[np.argmax(size)]), int(both[0]))
+        if largest < SMALL * amplitude_class:
+            return None
+    heights, swing = _bands(values)
     for sign in (1.0, -1.0):
         side = sign * values
         top = float(side.max())
         if top <= 0 or top < SMALLER * largest:
             continue
-        index = _flat_top(side, 1.0 if top == largest else STEEP_SMALLER)
+        index = _flat_top(side, heights, swing, 1.0 if top == largest else STEEP_SMALLER)
         if index is not None:
             return Clipping(sign * top, index)
     return None
 
 
-def _flat_top(values: NDArray[np.float64], times: float) -> int | None:
-    """Return where a flat top begins whose shoulders fall by `times` as many bands as is steep, or None."""
-    peak = int(values.argmax())
-    top, swing = float(values[peak]), float(np.ptp(values))
+def _bands(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+    """Return the heights of the bands to look at, in turn, and the channel's whole swing."""
+    swing = float(np.ptp(values))
     steps = np.abs(np.diff(values))
     steps = steps[steps > 1e-9 * swing]
     digit = float(steps.min()) if steps.size else 0.0
-    bands = [share * swing for share in BANDS if share * swing > 2.5 * digit]
+    bands = BANDS * swing
     # Values with few digits: one step below the top, however few bands are left.
-    for band in [*([1.5 * digit] if 1.5 * digit < BANDS[-1] * swing else []), *bands]:
-        outside = np.flatnonzero(values < top - band)
-        cut = int(np.searchsorted(outside, peak))
-        begin = int(outside[cut - 1]) + 1 if cut > 0 else 0
-        end = int(outside[cut]) if cut < outside.size else values.size
-        width = end - begin
-        if width < FLAT_SAMPLES:
-            continue
-        falls = [
-            _fall(top, values[:begin][::-1], width),
-            _fall(top, values[end:], width),
-        ]
-        known = [fall for fall in falls if fall is not None]
-        steep = times * float(np.interp(np.log(band / swing), np.log(STEEP[0]), STEEP[1]))
-        if known and min(known) > max(steep * band, SHOULDER * swing):
-            return begin
-        # A dip within the flat looks like a second, shallow shoulder; the other one still tells.
-        if known and band <= NARROW * swing and max(known) > max(STEEP_ALONE * band, SHOULDER * swing):
-            return begin
-    return None
+    first = [1.5 * digit] if 1.5 * digit < bands[-1] else []
+    return np.concatenate([first, bands[bands > 2.5 * digit]]), swing
 
 
-def _fall(top: float, beside: NDArray[np.float64], width: int) -> float | None:
-    """Return how far a shoulder falls within the flat's width; None where too little of it was recorded.
+def _flat_top(
+    values: NDArray[np.float64], heights: NDArray[np.float64], swing: float, times: float
+) -> int | None:
+    """Return where a flat top begins whose shoulders fall by `times` as many bands as is steep, or None."""
+    peak = int(values.argmax())
+    top = float(values[peak])
+    # How far the lowest value falls from the peak outwards: it crosses each band's lower end once.
+    lows = heights - top
+    begin = peak + 1 - np.searchsorted(-np.minimum.accumulate(values[peak::-1]), lows, side="right")
+    end = peak + np.searchsorted(-np.minimum.accumulate(values[peak:]), lows, side="right")
+    wide = np.flatnonzero(end - begin >= FLAT_SAMPLES)
+    if not wide.size:
+        return None
+    begin, end, heights = begin[wide], end[wide], heights[wide]
+    left, right = (
+        _falls(top, values[::-1], values.size - begin, end - begin),
+        _falls(top, values, end, end - begin),
+    )
+    steep = times * np.interp(np.log(heights / swing), np.log(STEEP[0]), STEEP[1])
+    found = np.fmin(left, right) > np.maximum(steep * heights, SHOULDER * swing)
+    # A dip within the flat looks like a second, shallow shoulder; the other one still tells.
+    alone = np.fmax(left, right) > np.maximum(STEEP_ALONE * heights, SHOULDER * swing)
+    hits = np.flatnonzero(found | (alone & (heights <= NARROW * swing)))
+    return int(begin[hits[0]]) if hits.size else None
+
+
+def _falls(
+    top: float, values: NDArray[np.float64], ends: NDArray[np.intp], widths: NDArray[np.intp]
+) -> NDArray[np.float64]:
+    """Return how far the shoulder behind each flat falls within its width; NaN where too little was recorded.
 
     Parameters
     ----------
     top : float
-    beside : ndarray, shape (n,)
-        Samples beside the flat, nearest first.
-    width : int
-        Samples of the flat.
+    values : ndarray, shape (n,)
+        The channel, in the direction in which the shoulder is looked at.
+    ends : ndarray, shape (k,)
+        Index of the first sample beside each flat.
+    widths : ndarray, shape (k,)
+        Samples of each flat.
     """
-    count = min(beside.size, width)
-    if count < max(1, _BESIDE * width):
-        return None
+    counts = np.minimum(values.size - ends, widths)
     # What a parabola would fall within the samples that there are, brought to the whole width.
-    share = 9.0 / (1.0 + 2.0 * count / width) ** 2
-    return float(top - beside[count - 1]) * share
+    shares = 9.0 / (1.0 + 2.0 * counts / widths) ** 2
+    falls = (top - values[np.minimum(ends + counts, values.size) - 1]) * shares
+    return np.where(counts < np.maximum(1, _BESIDE * widths), np.nan, falls)

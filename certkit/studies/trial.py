@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from hashlib import sha256
 from importlib.metadata import version
 from pathlib import Path
@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING
 import certkit
 from certkit.bench.setup import PACKAGES, Setup, prepare
 from certkit.definitions.loading.kinds import kind_of
+from certkit.definitions.loading.library import search_order
 from certkit.definitions.loading.old_forms import path_of_today
+from certkit.definitions.loading.search_path import RememberedShelf
 from certkit.grading import grade_criteria, grade_quality, measure_all, overall
 from certkit.signals import Filtered
 from certkit.studies.quantity import written
@@ -97,7 +99,12 @@ class Trial:
             if scope in {"", procedure}
             for path, factor in ((first, 1.0), *self.tied.get(name, ()))
         }
-        return prepare(procedure, library=self.library, overrides={**self.fixed, **own})
+        return prepare(procedure, library=self._shelves, overrides={**self.fixed, **own})
+
+    @cached_property
+    def _shelves(self) -> tuple[RememberedShelf, ...]:
+        """Where definitions are looked for: once, so that all runs meet the same files."""
+        return tuple(RememberedShelf(shelf) for shelf in search_order(self.library))
 
     @property
     def context(self) -> str:

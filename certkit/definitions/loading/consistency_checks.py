@@ -198,14 +198,11 @@ def _criterion(criterion: dict[str, Any], channels: ChannelTable) -> Iterator[Fi
     measure, channel, curve = (criterion.get(key) for key in ("measure", "channel", "curve"))
     misspelt = set(criterion) - set(fields(Criterion))
     if isinstance(measure, str) and measure in MEASURES and not misspelt:
-        forms = {
-            "channel": f"a `channel`; {suggestion('', list(channels.kinds))}",
-            "curve": "a `curve: {x: …, y: …}` of two channels",
-            "at": "`at: {channel: …, equals: …}`",
-        }
+        forms = {"curve": "a `curve: {x: …, y: …}` of two channels", "at": "`at: {channel: …, equals: …}`"}
         for key in MEASURES[measure].needs:
             if criterion.get(key) is None:
-                yield ("measure",), f"`{measure}` needs {forms[key]}"
+                form = forms.get(key) or f"a `channel`; {suggestion('', list(channels.kinds))}"
+                yield ("measure",), f"`{measure}` needs {form}"
     yield from _channel(("channel",), channel, channels)
     if isinstance(curve, dict):
         for axis in ("x", "y"):

@@ -9,7 +9,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic, Literal, TypeVar, cast, overload
@@ -25,6 +25,7 @@ from certkit.definitions.loading.overrides import Change, Overrides, change
 from certkit.definitions.loading.search_path import (
     FolderShelf,
     Found,
+    RememberedShelf,
     Shelf,
     is_name,
     is_path,
@@ -47,6 +48,12 @@ if TYPE_CHECKING:
     from certkit.definitions.vehicle import Vehicle
 
 D_co = TypeVar("D_co", bound=BaseModel, covariant=True)
+
+ALONE = frozenset({"corridors", "legform", "reference", "vehicle"})
+"""Kinds whose check asks for no definition of a library, so that one file always gives one document."""
+
+_ALONE: dict[tuple[str, Found], Loaded[BaseModel]] = {}
+_MOST_KEPT = 64
 
 Library = str | Path | Sequence[str | Path | Shelf]
 """Folders with own definitions, one or several; searched before the shipped ones, in this order."""
@@ -157,8 +164,8 @@ def load(
     """
     known = kind_of(kind)
     found = find(known, name, library)
-    if known.word == "legform" and not overrides:  # a procedure's check has read it before it is wanted
-        return _with_its_confirmation(_parsed_legform(found), library)
+    if known.word in ALONE and not overrides:
+        return _with_its_confirmation(_parsed_alone(known, found), library)
     return _with_its_confirmation(parse(known, found, overrides, library), library)
 
 
@@ -179,9 +186,17 @@ def _with_its_confirmation(loaded: Loaded[BaseModel], library: Library) -> Loade
     )
 
 
-@lru_cache(maxsize=16)
-def _parsed_legform(found: Found) -> Loaded[BaseModel]:
-    return parse(kind_of("legform"), found)
+def _parsed_alone(kind: Kind, found: Found) -> Loaded[BaseModel]:
+    """Read a definition once: checks of others ask for it, and so does every run of a study."""
+    key = (kind.word, found)
+    loaded = _ALONE.get(key)
+    if loaded is None:
+        loaded = parse(kind, found)
+        if not loaded.remarks:  # which are told each time
+            if len(_ALONE) >= _MOST_KEPT:
+                _ALONE.clear()
+            _ALONE[key] = loaded
+    return loaded
 
 
 def parse(
@@ -233,7 +248,10 @@ def find(kind: Kind, name: str | Path, library: Library = ()) -> Found:
 
 def search_order(library: Library = ()) -> list[Shelf]:
     """Return the shelves that names are looked for on, first to last; see `own_shelves`."""
-    return [*own_shelves(library), shipped_shelf()]
+    own, shipped = own_shelves(library), shipped_shelf()
+    last = own[-1] if own else None
+    known = isinstance(last, RememberedShelf) and last.shelf == shipped
+    return own if known else [*own, shipped]
 
 
 def own_shelves(library: Library = ()) -> list[Shelf]:

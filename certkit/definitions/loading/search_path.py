@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from importlib.resources import files
 from pathlib import Path, PurePath
@@ -140,6 +140,33 @@ class TextShelf:
     def names(self, kind: Kind) -> list[str]:
         """Return the names of all texts of a kind."""
         return sorted(name for word, name in self.texts if word == kind.word)
+
+
+@dataclass(frozen=True)
+class RememberedShelf:
+    """Another shelf, each of whose definitions is looked for once: all runs of a study meet the same files.
+
+    Parameters
+    ----------
+    shelf : Shelf
+    """
+
+    shelf: Shelf
+    _found: dict[tuple[str, str], Found | None] = field(default_factory=dict, compare=False, repr=False)
+    _names: dict[str, list[str]] = field(default_factory=dict, compare=False, repr=False)
+
+    def find(self, kind: Kind, name: str) -> Found | None:
+        """Return the definition as it was found the first time."""
+        key = (kind.word, name)
+        if key not in self._found:
+            self._found[key] = self.shelf.find(kind, name)
+        return self._found[key]
+
+    def names(self, kind: Kind) -> list[str]:
+        """Return the names that there were the first time."""
+        if kind.word not in self._names:
+            self._names[kind.word] = self.shelf.names(kind)
+        return self._names[kind.word]
 
 
 def shipped_shelf() -> FolderShelf:

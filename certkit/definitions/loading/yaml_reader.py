@@ -8,6 +8,7 @@ the places.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import yaml
@@ -92,9 +93,15 @@ def read_tree(data: bytes | str, file: str) -> Tree:
         When it is no YAML, not UTF-8, too large, too deep, empty, several documents, or no mapping at its
         top.
     """
-    text = _decode(data, file)
-    reader = _Reader(file, _events(text, file))
-    return reader.read()
+    return _remembered(data, file) if isinstance(data, bytes) else _read(data, file)
+
+
+def _read(data: bytes | str, file: str) -> Tree:
+    return _Reader(file, _events(_decode(data, file), file)).read()
+
+
+_remembered = lru_cache(maxsize=32)(_read)
+"""Reads a file's content once: nobody changes a tree, and a study reads the same files for every run."""
 
 
 def read_value(text: str, file: str) -> Any:  # noqa: ANN401  # any plain data

@@ -10,7 +10,7 @@ import pytest
 
 from certkit.definitions.loading.kinds import KINDS, kind_of
 from certkit.definitions.loading.library import load, names, neighbours
-from certkit.definitions.loading.search_path import TextShelf, shipped_root
+from certkit.definitions.loading.search_path import FolderShelf, RememberedShelf, TextShelf, shipped_root
 from certkit.errors import DefinitionError, UsageError
 
 PENDULUM = shipped_root() / "procedures" / "pendulum.yaml"
@@ -214,3 +214,20 @@ def test_a_kind_is_known_by_its_word_its_plural_and_its_folder(word: str):
 def test_an_unknown_kind_brings_the_nearest_one():
     with pytest.raises(UsageError, match="`procdure` is no kind of definition; did you mean `procedure`"):
         kind_of("procdure")
+
+
+def test_a_remembered_shelf_shows_what_it_showed_first(tmp_path: Path):
+    (tmp_path / "corridors").mkdir()
+    path = tmp_path / "corridors" / "mine.yaml"
+    path.write_bytes(b"corridors: mine\n")
+    shelf = RememberedShelf(FolderShelf(tmp_path))
+    first = shelf.find(KINDS["corridors"], "mine")
+    assert (first, shelf.names(KINDS["corridors"])) == (
+        FolderShelf(tmp_path).find(KINDS["corridors"], "mine"),
+        ["mine"],
+    )
+    path.write_bytes(b"corridors: mine\ntitle: changed\n")
+    (tmp_path / "corridors" / "other.yaml").write_bytes(b"corridors: other\n")
+    assert shelf.find(KINDS["corridors"], "mine") == first
+    assert shelf.names(KINDS["corridors"]) == ["mine"]
+    assert FolderShelf(tmp_path).find(KINDS["corridors"], "mine") != first
