@@ -30,6 +30,7 @@ from certkit.definitions.loading.search_path import (
     is_name,
     is_path,
     shipped_shelf,
+    shown_path,
 )
 from certkit.definitions.loading.validation import read_bytes, validate
 from certkit.definitions.loading.yaml_reader import read_tree
@@ -235,7 +236,7 @@ def find(kind: Kind, name: str | Path, library: Library = ()) -> Found:
     """Find a definition's file without reading it into a document; see `load`."""
     path = Path(name)
     if isinstance(name, Path) or is_path(name):
-        return Found(_shown(path), read_bytes(path), str(path))
+        return Found(shown_path(path), read_bytes(path), str(path))
     searched = search_order(library)
     for shelf in searched:
         found = shelf.find(kind, str(name))
@@ -267,7 +268,7 @@ def own_shelves(library: Library = ()) -> list[Shelf]:
         if isinstance(entry, Path) and not entry.is_dir():
             raise UsageError(f"the library `{entry}` is no folder; check the path")
     known: list[Shelf] = [
-        FolderShelf(entry, _shown(entry)) if isinstance(entry, Path) else entry for entry in own
+        FolderShelf(entry, shown_path(entry)) if isinstance(entry, Path) else entry for entry in own
     ]
     for shelf in known:
         if isinstance(shelf, FolderShelf) and not shelf.holds_something():
@@ -295,14 +296,4 @@ def neighbours(path: Path) -> list[Shelf]:
     folder = path.parent
     homes = [Path(kind.folder) for kind in KINDS.values() if kind.lives_in(folder)]
     roots = [folder, *(folder.parents[len(home.parts) - 1] for home in homes)]
-    return [FolderShelf(root, _shown(root)) for root in roots]
-
-
-def _shown(path: Path) -> str:
-    """Return a path as it may stand in a result: relative to where we are, or else only its name."""
-    if not path.is_absolute():
-        return path.as_posix()
-    try:
-        return path.relative_to(Path.cwd()).as_posix()
-    except ValueError:
-        return path.name
+    return [FolderShelf(root, shown_path(root)) for root in roots]

@@ -234,3 +234,13 @@ def _kind_in(path: Path, file: str) -> Kind:
     first = next(iter(keys), "")
     words = f"begins with `{first}`, which is no kind of definition; mend it, or give it another name"
     raise DefinitionError([Problem(file, 1, 1, words)])
+
+
+def shown_path(path: Path) -> str:
+    """Return a path as it may stand in a result: relative to where we are, or else only its name."""
+    if not path.is_absolute():
+        return path.as_posix()
+    try:
+        return path.relative_to(Path.cwd()).as_posix()
+    except ValueError:
+        return path.name
