@@ -154,6 +154,7 @@ def _point(
         across=1e3 * point.metres,
         height=1e3 * parse_quantity(point.height or sheet.car.bumper, "length"),
         angle=parse_quantity(point.angle, "angle") / parse_quantity("1 deg", "angle"),
+        column=point.column,
         relaxed=any(start <= point.metres <= end for start, end in sheet.zones),
         sources=[each.report for each in sources],
         replacement=later.reason if later else "",

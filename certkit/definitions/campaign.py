@@ -101,6 +101,10 @@ class ImpactPoint(Document):
     angle: Annotated[Angle, Field(description="Of the velocity to the car's long axis, seen from above.")] = (
         "0 deg"
     )
+    column: Annotated[
+        int | None,
+        Field(ge=-50, le=50, description="Of Euro NCAP's grid, as its workbook counts."),
+    ] = None
     sources: Annotated[list[PointSource], Field(max_length=20)] = []
 
     @property

@@ -54,7 +54,11 @@ class UntestedPoints(Sourced):
         False
     )
     neighbours: Annotated[
-        Literal["worst"] | None, Field(description="`worst`: the worse of the points beside it does.")
+        Literal["worst", "largest values"] | None,
+        Field(
+            description="`worst`: the worse of the points beside it does; `largest values`: of "
+            "each criterion the larger value of both."
+        ),
     ] = None
 
     def lines(self) -> dict[str, str]:

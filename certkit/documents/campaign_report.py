@@ -56,6 +56,7 @@ class PointReport(Part):
     across: Annotated[Figure, Field(description="From the car's middle, mm; positive to its own left.")]
     height: Annotated[Figure, Field(description="Above the ground, mm.")]
     angle: Annotated[Figure, Field(description="Of the velocity to the car's long axis, deg.")] = 0.0
+    column: Annotated[int | None, Field(description="Of Euro NCAP's grid.")] = None
     relaxed: Annotated[bool, Field(description="Lies in a zone that the maker chose.")] = False
     sources: list[SourceReport] = []
     replacement: Annotated[str, Field(description="Why older values decide no longer.")] = ""
@@ -79,7 +80,7 @@ class JudgedPoint(Part):
 
     point: str
     basis: Basis
-    of: Annotated[str, Field(description="The point whose values stand here, where it is another.")] = ""
+    of: Annotated[str, Field(description="The points whose values stand here, where they are others.")] = ""
     source: Annotated[SourceKind | None, Field(description="Of the values.")] = None
     criteria: list[JudgedCriterion] = []
     worst: Annotated[str, Field(description="The criterion nearest to, or farthest beyond, its limit.")] = ""

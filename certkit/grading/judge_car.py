@@ -11,7 +11,7 @@ from certkit.grading.judge_point import judge_point, nothing_known
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from certkit.documents.campaign_report import JudgedPoint, PointReport
+    from certkit.documents.campaign_report import JudgedPoint, PointReport, SourceReport
     from certkit.documents.result import Verdict
     from certkit.grading.scheme_terms import SchemeTerms
 
@@ -63,14 +63,21 @@ def _filled(terms: SchemeTerms, points: Sequence[PointReport], *, symmetric: boo
             if point.name not in known and other is not None and found is not None:
                 change = {"point": point.name, "basis": "mirrored", "of": other.name}
                 known[point.name] = found.model_copy(update=change)
-    if rule is not None and rule.neighbours == "worst":
-        known |= _from_neighbours(points, dict(known))
+    if rule is not None and rule.neighbours is not None:
+        known |= _from_neighbours(terms, points, dict(known), largest=rule.neighbours == "largest values")
     reason = "no source, and the scheme has no rule by which another point stands for it"
     return [known.get(p.name) or nothing_known(terms, p.name, reason) for p in points]
 
 
-def _from_neighbours(points: Sequence[PointReport], known: dict[str, JudgedPoint]) -> dict[str, JudgedPoint]:
-    """Let the worse of the nearest points on both sides stand for each point without a judgement."""
+def _from_neighbours(
+    terms: SchemeTerms, points: Sequence[PointReport], known: dict[str, JudgedPoint], *, largest: bool
+) -> dict[str, JudgedPoint]:
+    """Let the nearest points on both sides stand for each point without a judgement.
+
+    The worse of them, or the larger of both values of each criterion. Where several points without one lie
+    beside each other, all take the same two, which is what passing larger values on from one to the next
+    comes to.
+    """
     found = {}
     for point in points:
         if point.name in known:
@@ -79,11 +86,38 @@ def _from_neighbours(points: Sequence[PointReport], known: dict[str, JudgedPoint
         right = [p for p in points if p.across > point.across and p.name in known]
         beside = [max(left, key=lambda p: p.across)] if left else []
         beside += [min(right, key=lambda p: p.across)] if right else []
-        if beside:
-            decisive = max((known[p.name] for p in beside), key=_badness)
-            change = {"point": point.name, "basis": "neighbour", "of": decisive.point}
-            found[point.name] = decisive.model_copy(update=change)
+        if not beside:
+            continue
+        decisive = max((known[p.name] for p in beside), key=_badness)
+        change = {"point": point.name, "basis": "neighbour", "of": decisive.point}
+        if largest and len(beside) == 2:
+            sources = [_source(points, known[p.name]) for p in beside]
+            joined = point.model_copy(update={"sources": [_largest(*sources)]})
+            decisive = judge_point(terms, joined) or decisive
+            change["of"] = " and ".join(p.name for p in beside)
+        found[point.name] = decisive.model_copy(update=change)
     return found
+
+
+def _source(points: Sequence[PointReport], row: JudgedPoint) -> SourceReport:
+    """Return the source whose values a judged point stands on, its own or the mirrored point's."""
+    name = row.of if row.basis == "mirrored" else row.point
+    point = next(point for point in points if point.name == name)
+    return next(source for source in point.sources if source.decides)
+
+
+def _largest(first: SourceReport, second: SourceReport) -> SourceReport:
+    """Return a source with the larger value of each criterion; one that either lacks stays missing."""
+    others = {value.id: value for value in second.values}
+    values = []
+    for value in first.values:
+        other = others.get(value.id)
+        if other is None or value.value is None or other.value is None or other.unit != value.unit:
+            values.append(value.model_copy(update={"value": None, "reason": "a neighbour has no value"}))
+        else:
+            values.append(value if value.value >= other.value else other)
+    usable, reason = first.usable and second.usable, first.reason or second.reason
+    return first.model_copy(update={"values": values, "decides": True, "usable": usable, "reason": reason})
 
 
 _ORDER: dict[Verdict | None, int] = {"error": 4, "fail": 3, "conditional": 2, "pass": 1}

@@ -12,6 +12,7 @@ from certkit.reporting.campaign_view import (
     point_shade,
 )
 from certkit.reporting.charts.car_front import SHADE
+from certkit.reporting.euro_ncap_leg_sheet import HEADS, SCHEME, SHEET, leg_rows
 from certkit.reporting.workbook import SheetBook, Tinted
 
 if TYPE_CHECKING:
@@ -43,6 +44,8 @@ def campaign_xlsx(document: CampaignReport) -> bytes:
     book.table("Points", heads, rows, above=above)
     for name, scheme in zip(view.scheme_names, document.schemes, strict=True):
         _scheme(book, name, scheme, document)
+        if scheme.scheme == SCHEME and (leg := leg_rows(document, scheme)):
+            book.table(SHEET, HEADS, leg, number="0.00")
     _sources(book, document)
     if document.agreement:
         _agreement(book, document)

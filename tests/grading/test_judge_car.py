@@ -72,6 +72,23 @@ def test_the_total_of_2026_is_the_sum_of_its_scores_car_points():
     assert found.total == pytest.approx(2.5 + 5 * 0.5)
 
 
+def test_in_2026_an_untested_point_takes_the_larger_value_of_each_criterion():
+    femur = {"F1": 300.0, "F2": 300.0, "F3": 300.0}
+    points = (
+        point("a", 0, source(**femur | {"T1": 310.0, "MCL": 20.0})),
+        point("b", 100),
+        point("c", 200),
+        point("d", 300, source(**femur | {"T1": 200.0, "MCL": 31.0})),
+    )
+    found = judged("euro-ncap-2026", *points)
+    for row in found.points[1:3]:
+        values = {each.id: each.value for each in row.criteria}
+        assert (row.basis, row.of) == ("neighbour", "a and d")
+        assert (values["T1"], values["MCL"]) == (310.0, 31.0)
+    mirrored = judged("euro-ncap-2026", point("a", -100, source(**femur)), point("c", 100))
+    assert (mirrored.points[1].basis, mirrored.points[1].of) == ("mirrored", "a")
+
+
 def test_a_value_that_is_missing_never_passes_and_earns_nothing():
     (row,) = judged("r127", point("a", 0, source(T1=None))).points
     assert (row.verdict, row.reason) == ("not evaluated", "T1: no value")

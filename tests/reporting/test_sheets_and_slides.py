@@ -13,15 +13,17 @@ from xml.etree import ElementTree as ET
 
 import pytest
 from support import synthetic_result
-from support.synthetic_campaign import campaign
+from support.synthetic_campaign import campaign, point, source, terms
 
 from certkit.documents.comparison import ChannelRating, ComparisonDocument, Overlay, Side
 from certkit.errors import LeftOutWarning, UsageError
+from certkit.grading.judge_car import judge_car
 from certkit.reporting.campaign_pptx import campaign_pptx
 from certkit.reporting.campaign_xlsx import campaign_xlsx
 from certkit.reporting.comparison_pptx import comparison_pptx
 from certkit.reporting.comparison_xlsx import comparison_xlsx
 from certkit.reporting.document_reports import render_document
+from certkit.reporting.euro_ncap_leg_sheet import leg_rows
 from certkit.reporting.pptx_report import write as result_pptx
 from certkit.reporting.result_view import unique_views
 from certkit.reporting.slide_deck import on_template
@@ -131,6 +133,37 @@ def test_numbers_are_numbers(made: dict[str, bytes], name: str):
     (first, *_rest) = parts(made[name], r"worksheets/sheet2\.xml$").values()
     cells = [each for each in ET.fromstring(first).iter() if each.tag.endswith("}c")]  # noqa: S314  # likewise
     assert any(cell.get("t") is None and len(cell) for cell in cells)
+
+
+def test_the_leg_sheet_has_the_layout_of_euro_ncaps_own_workbook():
+    femur = {"F1": 300.0, "F2": 310.0, "F3": 320.0}
+    points = [
+        point(name, -100.0 * column, *sources).model_copy(update={"column": column})
+        for name, column, sources in (
+            ("L+1", 1, [source("measured", **femur)]),
+            ("L0", 0, []),
+            ("L-1", -1, []),
+        )
+    ]
+    scheme = judge_car(terms("euro-ncap-2026"), points, symmetric=True)
+    rows = leg_rows(campaign().model_copy(update={"points": points}), scheme)
+    assert len(rows) == 3 * 8
+    assert rows[0] == [
+        "Lower Leg",
+        "Driver",
+        "aPLI",
+        "Femur",
+        "(1, 1)",
+        "Bending moment, F1",
+        390,
+        440,
+        None,
+        "T",
+        300,
+    ]
+    assert [row[9] for row in rows if row[5] == "MCL elongation"] == ["T", "SA", "ST"]
+    assert [row[3] for row in rows if row[3]] == ["Femur", "Knee", "Tibia"]
+    assert [row[10] for row in rows if row[4] == "(2, 0)"] == [None] * 5
 
 
 def test_slides_take_the_look_of_a_template(tmp_path: Path):
