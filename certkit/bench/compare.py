@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from certkit.bench.regrade import embedded_shelf
 from certkit.bench.sources import Source, load_source
@@ -12,12 +12,15 @@ from certkit.definitions.loading.channel_tables import all_channels
 from certkit.definitions.loading.library import load, shelves
 from certkit.definitions.loading.validation import read_document
 from certkit.documents.comparison import Side
+from certkit.documents.result import InputFile
+from certkit.grading.agreement import LimitedCriterion, hold_against
 from certkit.grading.compare_tests import ComparedTest, side_by_side
 from certkit.reporting.language import worded
 from certkit.signals import condition
 
 if TYPE_CHECKING:
-    from certkit.definitions.loading.library import Library
+    from certkit.definitions.agreement_rule import AgreementRule
+    from certkit.definitions.loading.library import Library, Loaded
     from certkit.definitions.procedure import Procedure
     from certkit.documents.comparison import ComparisonDocument
     from certkit.documents.result import Result
@@ -33,8 +36,9 @@ def compare(  # noqa: PLR0913  # as many as `certkit compare` has options
     library: Library = (),
     until: float | None = None,
     unverified: bool = False,
+    rule: str | Path | None = None,
 ) -> ComparisonDocument:
-    """Compare two tests.
+    """Compare two tests, and hold the comparison against a rule.
 
     A is the reference, unless it was simulated and B measured: then the measured one is, as in the
     paper's Table 1.
@@ -55,6 +59,8 @@ def compare(  # noqa: PLR0913  # as many as `certkit compare` has options
         End of the comparison, s after contact.
     unverified : bool
         Compare results that were changed since certkit wrote them as well, and say so in the comparison.
+    rule : str or Path, optional
+        Name or file of what the comparison has to keep; the document has a verdict then.
 
     Raises
     ------
@@ -74,7 +80,29 @@ def compare(  # noqa: PLR0913  # as many as `certkit compare` has options
         _test(second, labels[1], sheet, lenient=lenient),
         until=until,
     )
+    if rule is not None:
+        loaded = cast("Loaded[AgreementRule]", load("agreement", rule, library=library))
+        kept = loaded.document
+        checks, verdict = hold_against(kept, document, _criteria(first.result, second.result))
+        source = InputFile(role="agreement", path=loaded.path, sha256=loaded.sha256, text=loaded.text)
+        told = {"rule": kept.title, "checks": checks, "verdict": verdict, "inputs": [source]}
+        document = document.model_copy(update=told).with_id()
     return worded(document)
+
+
+def _criteria(reference: Result | None, other: Result | None) -> list[LimitedCriterion]:
+    """Return the criteria that both have, with their limits: the upper one, else where points end."""
+    if reference is None or other is None or reference.procedure != other.procedure:
+        return []
+    ends = {score.criterion: score.zero for score in reference.scores}
+    theirs = {criterion.id: criterion for criterion in other.criteria}
+    found = []
+    for own in reference.criteria:
+        limit = ends.get(own.id) if own.upper is None else own.upper
+        value = theirs[own.id].value if own.id in theirs else None
+        if own.value is not None and value is not None and limit:
+            found.append(LimitedCriterion(own.id, own.value, value, limit))
+    return found
 
 
 def _procedure(named: str | Path | None, sources: tuple[Source, ...], library: Library) -> Procedure | None:

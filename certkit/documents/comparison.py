@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from certkit.documents.consistent_lists import check_axis, check_lengths, check_sizes
 from certkit.documents.output_document import OutputDocument, Part
-from certkit.documents.result import ComparisonRow, Verdict
+from certkit.documents.result import ComparisonRow, InputFile, Verdict
 from certkit.documents.rounding import Figure, Figures
 from certkit.reasons import Reason
 
@@ -35,6 +35,24 @@ class ChannelRating(Part):
     slope: Figure | None = None
     overall: Figure | None = None
     grade: str = ""
+    reason: str = ""
+    coded_reason: Reason | None = None
+    causes: Annotated[list[str], Field(description="What parts that are not good come from.")] = []
+    coded_causes: list[Reason] = []
+
+
+class AgreementCheck(Part):
+    """One line of a rule that a comparison is held against."""
+
+    kind: Annotated[str, Field(description="`rating`, `mean-rating`, `peak` or `criterion`.")]
+    title: str = ""
+    coded_title: Reason | None = None
+    channel: Annotated[str, Field(description="Channel or criterion; empty where all are meant.")] = ""
+    value: Figure | None
+    lower: Figure | None = None
+    upper: Figure | None = None
+    unit: str = ""
+    verdict: Verdict
     reason: str = ""
     coded_reason: Reason | None = None
 
@@ -81,5 +99,9 @@ class ComparisonDocument(OutputDocument):
     rating: Annotated[Figure | None, Field(description="Mean of the channels' overall ratings.")] = None
     grade: str = ""
     overlays: list[Overlay] = Field(default_factory=list)
+    rule: Annotated[str, Field(description="Title of the rule that it was held against.")] = ""
+    verdict: Annotated[Verdict | None, Field(description="By the rule; none without one.")] = None
+    checks: list[AgreementCheck] = Field(default_factory=list)
+    inputs: Annotated[list[InputFile], Field(description="The rule's file.")] = Field(default_factory=list)
     notes: list[str] = Field(default_factory=list)
     coded_notes: list[Reason] = Field(default_factory=list)

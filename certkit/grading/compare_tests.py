@@ -15,6 +15,7 @@ from certkit.grading.reference_errors import error_percent, rms
 from certkit.reasons import Reason, reason_of
 from certkit.signals import Filtered, rate, resampled
 from certkit.signals.iso18571 import INTERVAL, grade
+from certkit.signals.rating_causes import rating_causes
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -204,6 +205,7 @@ def _rating(
         slope=rating.slope,
         overall=rating.overall,
         grade=rating.grade,
+        coded_causes=rating_causes(a, b, rating),
     )
 
 

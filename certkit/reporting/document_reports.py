@@ -55,7 +55,7 @@ REPORTS = {
         takes_paper=True,
     ),
     "certkit-comparison/1": DocumentReport(
-        "certkit.reporting.comparison_report:render_comparison", ("html", *_OFFICE)
+        "certkit.reporting.comparison_report:render_comparison", (*_PAPER, *_OFFICE)
     ),
     "certkit-extraction/1": DocumentReport(
         "certkit.reporting.extraction_report:render_extraction", _PAPER, _PAPER

@@ -89,8 +89,8 @@ def rate(reference: NDArray[np.float64], signal: NDArray[np.float64]) -> Rating:
             "the reference is constant; there is nothing to rate against: choose another",
             Reason.of("rated-constant"),
         )
-    shift = _best_shift(reference, signal)
-    a, b = _overlap(reference, signal, shift)
+    shift = best_shift(reference, signal)
+    a, b = overlap(reference, signal, shift)
     limit = LARGEST_SHIFT * reference.size
     scores = (
         _corridor(reference, signal),
@@ -139,7 +139,7 @@ def _corridor(reference: NDArray[np.float64], signal: NDArray[np.float64]) -> fl
     return float((share**CORRIDOR_EXPONENT).mean())
 
 
-def _overlap(
+def overlap(
     reference: NDArray[np.float64], signal: NDArray[np.float64], shift: int
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Cut both curves to where they overlap; a positive `shift` moves the signal towards later."""
@@ -150,13 +150,13 @@ def _overlap(
     return reference, signal
 
 
-def _best_shift(reference: NDArray[np.float64], signal: NDArray[np.float64]) -> int:
+def best_shift(reference: NDArray[np.float64], signal: NDArray[np.float64]) -> int:
     """Return the shift in samples that correlates best; the smaller shift, and then left, wins a tie."""
     largest = int(np.floor(reference.size * LARGEST_SHIFT))
     best, best_correlation = 0, _correlation(reference, signal)
     for size in range(1, largest + 1):
         for shift in (-size, size):
-            correlation = _correlation(*_overlap(reference, signal, shift))
+            correlation = _correlation(*overlap(reference, signal, shift))
             if correlation > best_correlation + TIE:
                 best, best_correlation = shift, correlation
     return best
@@ -181,14 +181,15 @@ def _magnitude(reference: NDArray[np.float64], signal: NDArray[np.float64]) -> f
 
 def _slope(reference: NDArray[np.float64], signal: NDArray[np.float64]) -> float:
     """Rate the difference of the slopes, each averaged over nine samples (fewer at the ends)."""
-    a, b = _smooth_slope(reference), _smooth_slope(signal)
+    a, b = smooth_slope(reference), smooth_slope(signal)
     norm = float(np.abs(a).sum())
     if norm == 0:
         return 0.0
     return max(0.0, (SLOPE_ERROR - float(np.abs(b - a).sum()) / norm) / SLOPE_ERROR)
 
 
-def _smooth_slope(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def smooth_slope(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the slope, averaged over nine samples (fewer at the ends)."""
     raw = np.gradient(values, INTERVAL)
     half = SLOPE_SAMPLES // 2
     smooth = np.empty_like(raw)

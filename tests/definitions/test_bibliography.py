@@ -15,7 +15,7 @@ from certkit.reporting.result_view import view
 from certkit.reporting.works_cited import bibliography, works_cited
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = ("corridors", "procedures", "models", "references", "schemes", "certkit/logbooks")
+FOLDERS = ("corridors", "procedures", "models", "references", "schemes", "agreement", "certkit/logbooks")
 FILES = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.yaml"))]
 
 

@@ -13,7 +13,8 @@ from certkit.definitions.loading.channel_tables import default_channels
 from certkit.documents.comparison import ComparisonDocument
 from certkit.errors import DataError
 from certkit.exchange.channels_csv import write_csv
-from certkit.reporting.comparison_report import comparison_page, comparison_text
+from certkit.reporting.comparison_report import comparison_page
+from certkit.reporting.comparison_text import comparison_text
 from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:

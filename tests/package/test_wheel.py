@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-DATA = ("procedures", "corridors", "models", "references", "schemes", "templates", "examples")
+DATA = ("procedures", "corridors", "models", "references", "schemes", "agreement", "templates", "examples")
 
 
 @pytest.fixture(scope="module")

@@ -150,6 +150,12 @@ _ALL = (
     ),
     Kind("laboratory", "who tested what, when, with which sensors", "laboratory:Laboratory"),
     Kind("mapping", "how a laboratory's files become channels", "channel_mapping:Mapping"),
+    Kind(
+        "agreement",
+        "what a comparison of two tests has to keep",
+        "agreement_rule:AgreementRule",
+        "agreement",
+    ),
     Kind("scheme", "how impact points add up to a judgement of a car", "scheme:Scheme", "schemes"),
     Kind("campaign", "a car, its impact points and the sources of their values", "campaign:Campaign"),
     Kind("logbook", "how long a certification is good for", "logbook_rules:LogbookRules"),

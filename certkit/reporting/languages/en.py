@@ -61,6 +61,21 @@ REASONS = MappingProxyType(
             "An evaluation of a measured test; not a calibration certificate of the legform."
         ),
         # Of a finite-element run.
+        # Why a curve follows another badly, and what a rule asks of a comparison.
+        "curve-late": "comes {by:.1f} ms late",
+        "curve-early": "comes {by:.1f} ms early",
+        "curve-size": "its peak is {peak:+.0f} %, its area {area:+.0f} %",
+        "curve-slope": "is {times:.2f} times as steep",
+        "curve-away": "is more than half the peak away for {share:.0f} % of the time",
+        "agreement-rating": "ISO/TS 18571 rating of {channel}",
+        "agreement-mean-rating": "Mean ISO/TS 18571 rating",
+        "agreement-peak": "Peak of {channel}, difference",
+        "agreement-criterion": "d_AC of {channel}",
+        "channel-not-shared": "{channel} was not recorded in both",
+        "mean-of-some": "only {rated} of {asked} channels are rated",
+        "peak-not-compared": "{channel} has no peak that could be compared",
+        "no-peak-compared": "no peak could be compared",
+        "no-criterion-with-limit": "no criterion with a limit was graded in both; compare two results of `certkit grade`",
         "run-resampled": "Brought to even steps of {interval:.4g} ms by linear interpolation.",
         "run-without-contact": "No contact force was read: time zero is the run's own.",
         "run-does-not-tell": (
