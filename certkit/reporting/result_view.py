@@ -13,6 +13,7 @@ from certkit.reporting.laboratory_view import LaboratoryView, laboratory_view
 from certkit.reporting.language import ENGLISH, Language, language, worded
 from certkit.reporting.margins import margin_words, nearest_words, tally, worst
 from certkit.reporting.score_words import score_words
+from certkit.reporting.translated_titles import with_titles
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -227,7 +228,7 @@ def view(result: Result, *, suffix: str = "", spoken: str = ENGLISH) -> View:
     t = chosen.word
     document = result
     if spoken != ENGLISH:
-        result = worded(result, spoken)
+        result = with_titles(worded(result, spoken), chosen)
     key = slug(result.procedure) + suffix
     drawn = {figure_of(c) for c in result.criteria if c.curve}
     drawn |= set(ordered_channels(result)) if _drawable(result) else set()

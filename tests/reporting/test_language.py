@@ -24,6 +24,7 @@ from certkit.reporting.language import language, worded
 from certkit.reporting.language_list import languages
 from certkit.reporting.number_format import CONFIDENCE
 from certkit.reporting.result_view import KINDS
+from certkit.reporting.translated_titles import title_in
 from tests.support.sheets import bump, corridor_set, grade, procedure, recording
 
 PACKAGE = Path(__file__).parents[2] / "certkit"
@@ -201,3 +202,13 @@ def test_without_a_font_there_is_no_pdf_of_empty_boxes(monkeypatch: pytest.Monke
     with pytest.raises(MissingPartError, match="fonts-noto-cjk"):
         font_check.check_font("ja")
     font_check.check_font("de")
+
+
+@pytest.mark.parametrize("code", ["de", "ja"])
+def test_titles_of_shipped_channels_parts_and_energies_are_said_in_the_language(code: str):
+    spoken = language(code)
+    for title in ("Tibia moment 1", "MCL elongation", "Knee bending angle", "joint spring stored", "tibia 3"):
+        assert title_in(title, spoken) != title
+    assert title_in("Tibia moment 4", spoken).endswith(" 4")
+    assert title_in("MCL elongation", spoken).startswith("MCL ")
+    assert title_in("a channel of one's own", spoken) == "a channel of one's own"
