@@ -12,6 +12,7 @@ from certkit.reporting.campaign_view import (
     point_shade,
     short_name,
 )
+from certkit.reporting.car_slide import car_slide
 from certkit.reporting.charts.car_front import SHADE
 from certkit.reporting.number_format import shown
 from certkit.reporting.slide_deck import SlideDeck
@@ -35,6 +36,7 @@ def campaign_pptx(document: CampaignReport) -> bytes:
         lines.append(f"{scheme.title}: {score}{worst}")
     agreed = [view.agreement_words] if view.agreement_words else []
     deck.title(document.title, [*lines, *agreed, *document.remarks, f"Campaign {document.id}"])
+    car_slide(deck, document, document.schemes[0])
     deck.table(f"{document.title}: points", *_points(view))
     for scheme in document.schemes:
         _scheme(deck, scheme, document)

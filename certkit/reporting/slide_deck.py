@@ -8,15 +8,16 @@ import re
 import zipfile
 from contextlib import contextmanager
 from contextvars import ContextVar
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from certkit.documents.unverified import MARK, is_marked
-from certkit.errors import MissingPartError, UsageError
+from certkit.errors import UsageError
 from certkit.exchange.csv_cells import harmless
 from certkit.plain_text import without_odd_characters
 from certkit.reporting.palette import PENS, VERDICT
+from certkit.reporting.slide_canvas import Canvas
+from certkit.reporting.slide_parts import pptx_part, rgb, set_font, write_words
 from certkit.reporting.workbook import Tinted, shown
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ class SlideDeck:
         Of a document that was changed, every slide says so.
         """
         self._before = f"{MARK}: " if is_marked(document) else ""
-        pptx = _part("pptx")
+        pptx = pptx_part("pptx")
         named = os.environ.get(TEMPLATE)
         path = _template.get() or (Path(named) if named else None)
         try:
@@ -86,7 +87,7 @@ class SlideDeck:
         frame.word_wrap = True
         for index, line in enumerate(lines):
             paragraph = frame.paragraphs[0] if index == 0 else frame.add_paragraph()
-            _words(
+            write_words(
                 paragraph, line, 18 if index == 0 else 14, colour=VERDICT.get(line.split(":")[0].lower(), "")
             )
 
@@ -104,7 +105,7 @@ class SlideDeck:
                 for column, cell in enumerate(cells):
                     text, colour = shown(cell), cell.colour if isinstance(cell, Tinted) else ""
                     frame = table.cell(line, column).text_frame
-                    _words(
+                    write_words(
                         frame.paragraphs[0], text, 11, colour=colour or VERDICT.get(text, ""), bold=line == 0
                     )
 
@@ -112,30 +113,38 @@ class SlideDeck:
         self, title: str, names: Sequence[str], series: Mapping[str, Sequence[float | None]], unit: str
     ) -> None:
         """Add a native column chart: a group of columns a name."""
-        data = _part("pptx.chart.data").CategoryChartData()
+        data = pptx_part("pptx.chart.data").CategoryChartData()
         data.categories = [harmless(name) for name in names]
         for name, values in series.items():
             data.add_series(harmless(name), [None if v is None else float(f"{v:.7g}") for v in values])
         self._chart(
-            title, _part("pptx.enum.chart").XL_CHART_TYPE.COLUMN_CLUSTERED, data, len(series), ("", unit)
+            title, pptx_part("pptx.enum.chart").XL_CHART_TYPE.COLUMN_CLUSTERED, data, len(series), ("", unit)
         )
 
     def lines(
         self, title: str, x: Sequence[float], series: Mapping[str, Sequence[float]], titles: tuple[str, str]
     ) -> None:
         """Add a native chart of lines over numbers."""
-        data = _part("pptx.chart.data").XyChartData()
+        data = pptx_part("pptx.chart.data").XyChartData()
         for name, values in series.items():
             line = data.add_series(harmless(name))
             for a, b in zip(x, values, strict=True):
                 line.add_data_point(float(f"{a:.7g}"), float(f"{b:.7g}"))
         self._chart(
             title,
-            _part("pptx.enum.chart").XL_CHART_TYPE.XY_SCATTER_LINES_NO_MARKERS,
+            pptx_part("pptx.enum.chart").XL_CHART_TYPE.XY_SCATTER_LINES_NO_MARKERS,
             data,
             len(series),
             titles,
         )
+
+    def canvas(self, title: str, low: tuple[float, float], high: tuple[float, float]) -> Canvas:
+        """Add a slide to draw on, with a scale for both axes that shows the range from `low` to `high`."""
+        slide = self._slide(title)
+        left, top, width, height = self._area()
+        scale = min(width / (high[0] - low[0]), height / (high[1] - low[1]))
+        middle = left + width / 2 - scale * (low[0] + high[0]) / 2
+        return Canvas(slide.shapes, middle, top + height + scale * low[1], scale)
 
     def content(self) -> bytes:
         """Return the presentation's bytes."""
@@ -159,8 +168,8 @@ class SlideDeck:
         said = title if title.startswith(MARK) else f"{self._before}{title}"
         shape.text_frame.text = without_odd_characters(said)
         if self._own:
-            _look(shape.text_frame.paragraphs[0], 26, "#16202c", bold=True)
-            shape.text_frame.paragraphs[0].alignment = _part("pptx.enum.text").PP_ALIGN.LEFT
+            set_font(shape.text_frame.paragraphs[0], 26, "#16202c", bold=True)
+            shape.text_frame.paragraphs[0].alignment = pptx_part("pptx.enum.text").PP_ALIGN.LEFT
         return slide
 
     def _area(self) -> tuple[int, int, int, int]:
@@ -169,17 +178,17 @@ class SlideDeck:
         return int(0.04 * width), int(0.19 * height), int(0.92 * width), int(0.75 * height)
 
     def _chart(self, title: str, kind: Any, data: Any, count: int, titles: tuple[str, str]) -> None:  # noqa: ANN401  # likewise
-        points = _part("pptx.util").Pt
+        points = pptx_part("pptx.util").Pt
         slide = self._slide(title)
         chart = slide.shapes.add_chart(kind, *self._area(), data).chart
         chart.has_title = False
         chart.font.size = points(12)
         chart.has_legend = count > 1
         if count > 1:
-            chart.legend.position = _part("pptx.enum.chart").XL_LEGEND_POSITION.BOTTOM
+            chart.legend.position = pptx_part("pptx.enum.chart").XL_LEGEND_POSITION.BOTTOM
             chart.legend.include_in_layout = False
         for index, series in enumerate(chart.plots[0].series):
-            colour = _rgb(PENS[index % len(PENS)].colour)
+            colour = rgb(PENS[index % len(PENS)].colour)
             if "XY" in str(kind):
                 series.format.line.color.rgb = colour
                 series.format.line.width = points(1.75)
@@ -192,40 +201,15 @@ class SlideDeck:
             if words:
                 axis.axis_title.text_frame.text = without_odd_characters(words)
         chart.category_axis.has_major_gridlines = False
-        chart.category_axis.tick_label_position = _part("pptx.enum.chart").XL_TICK_LABEL_POSITION.LOW
+        chart.category_axis.tick_label_position = pptx_part("pptx.enum.chart").XL_TICK_LABEL_POSITION.LOW
         chart.value_axis.has_major_gridlines = True
-        chart.value_axis.major_gridlines.format.line.color.rgb = _rgb("#d5dbe1")
-
-
-def _part(name: str) -> Any:  # noqa: ANN401  # python-pptx has types for half of what it does
-    """Return a module of python-pptx, which is an extra."""
-    try:
-        return import_module(name)
-    except ImportError as error:
-        raise MissingPartError("it needs python-pptx; install it with `pip install certkit[pptx]`") from error
+        chart.value_axis.major_gridlines.format.line.color.rgb = rgb("#d5dbe1")
 
 
 def _widths(rows: Sequence[Sequence[Cell]]) -> list[float]:
     """Return the share of the width that each column takes, by its longest text."""
-    longest = [max(min(30, len(shown(row[i]))) + 2 for row in rows) for i in range(len(rows[0]))]
+    longest = [max(7, *(min(30, len(shown(row[i]))) + 2 for row in rows)) for i in range(len(rows[0]))]
     return [letters / sum(longest) for letters in longest]
-
-
-def _words(paragraph: Any, text: str, size: int, *, colour: str = "", bold: bool = False) -> None:  # noqa: ANN401  # likewise
-    run = paragraph.add_run()
-    run.text = without_odd_characters(text)
-    _look(run, size, colour, bold=bold or bool(colour))
-
-
-def _look(part: Any, size: int, colour: str, *, bold: bool) -> None:  # noqa: ANN401  # likewise
-    part.font.size = _part("pptx.util").Pt(size)
-    part.font.bold = bold or None
-    if colour:
-        part.font.color.rgb = _rgb(colour)
-
-
-def _rgb(colour: str) -> Any:  # noqa: ANN401  # likewise
-    return _part("pptx.dml.color").RGBColor.from_string(colour.lstrip("#").upper())
 
 
 def repacked(content: bytes) -> bytes:

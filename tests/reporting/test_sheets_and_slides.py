@@ -166,6 +166,17 @@ def test_the_leg_sheet_has_the_layout_of_euro_ncaps_own_workbook():
     assert [row[10] for row in rows if row[4] == "(2, 0)"] == [None] * 5
 
 
+def test_the_car_on_a_slide_consists_of_shapes_that_can_be_moved(made: dict[str, bytes]):
+    import pptx  # noqa: PLC0415  # an extra
+
+    deck = pptx.Presentation(io.BytesIO(made["campaign.pptx"]))
+    slide = next(slide for slide in deck.slides if "from ahead" in slide.shapes.title.text)
+    kinds = [str(shape.shape_type).split(" ")[0] for shape in slide.shapes]
+    assert kinds.count("FREEFORM") > 8
+    assert kinds.count("AUTO_SHAPE") == len(campaign().points)
+    assert "PICTURE" not in kinds
+
+
 def test_slides_take_the_look_of_a_template(tmp_path: Path):
     import pptx  # noqa: PLC0415  # an extra
 
