@@ -14,6 +14,7 @@ from certkit._version import __version__
 from certkit.reporting.language import ENGLISH
 from certkit.reporting.language_list import languages
 from certkit.reporting.page_data import embedded, payload
+from certkit.reporting.suite_head import SuiteHead, suite_head
 from certkit.reporting.templating import fill, folder, text
 
 if TYPE_CHECKING:
@@ -48,6 +49,9 @@ def suite_page(views: Sequence[View], title: str = "Certification suite") -> str
     lines: list[dict[str, object]] = [
         {
             "key": shown.key,
+            "subject": shown.subject,
+            "legform": shown.specimen_words,
+            "reference": shown.reference,
             "procedure": shown.result.procedure,
             "title": shown.result.title,
             "verdict": shown.result.verdict,
@@ -58,10 +62,12 @@ def suite_page(views: Sequence[View], title: str = "Certification suite") -> str
         }
         for shown in views
     ]
-    return _page(views, lines, title)
+    return _page(views, lines, title, suite_head(views))
 
 
-def _page(views: Sequence[View], index: Sequence[dict[str, object]], title: str) -> str:
+def _page(
+    views: Sequence[View], index: Sequence[dict[str, object]], title: str, head: SuiteHead | None = None
+) -> str:
     style = page_style()
     script = "(() => {\n" + "\n".join(text(name) for name in _SCRIPTS) + "})();"
     return fill(
@@ -73,6 +79,7 @@ def _page(views: Sequence[View], index: Sequence[dict[str, object]], title: str)
         style=style,
         script=script,
         index=index,
+        head=head,
         reports=[(shown, embedded(payload(shown.result))) for shown in views],
     )
 

@@ -16,6 +16,7 @@ from certkit.errors import UsageError
 from certkit.reporting.attachments import Enclosure, enclosures, manifest
 from certkit.reporting.font_check import check_font
 from certkit.reporting.pdf_engine import typeset, weasyprint
+from certkit.reporting.suite_head import suite_head
 from certkit.reporting.templating import fill, text
 
 if TYPE_CHECKING:
@@ -124,6 +125,7 @@ def certificate(
         paper=paper,
         chapters=chapters,
         contents=contents,
+        suite=suite_head(views) if contents else None,
         manifest=listed,
     )
     return typeset(html, [*parts, listed], created)

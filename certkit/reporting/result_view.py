@@ -115,6 +115,12 @@ class View:
         ]
 
     @property
+    def specimen_words(self) -> str:
+        """The legform that was on the rig, with its serial number where it has one."""
+        specimen = self.result.specimen
+        return " ".join(word for word in (specimen.get("legform"), specimen.get("serial")) if word) or "–"
+
+    @property
     def reference(self) -> str:
         """What the report is referred to by: its number and revision, else its id."""
         lab, t = self.laboratory, self.spoken.word

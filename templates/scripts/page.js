@@ -63,6 +63,18 @@ for (const report of document.querySelectorAll("[data-report]")) {
   shared.goTo(shared.time);
 }
 
+// A link into a closed report of a suite opens it first.
+const openFor = () => {
+  const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const chapter = target && target.closest("details.chapter");
+  if (!chapter) return;
+  chapter.open = true;
+  target.scrollIntoView();
+};
+openFor();
+addEventListener("hashchange", openFor);
+for (const link of document.querySelectorAll(".index a")) link.addEventListener("click", () => setTimeout(openFor));
+
 // A table that fits needs no tab stop; one that scrolls sideways does.
 const stops = () => {
   for (const box of document.querySelectorAll(".scroll")) {

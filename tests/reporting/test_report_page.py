@@ -206,3 +206,21 @@ def test_a_missing_value_is_a_dash_and_its_reason_is_given(measured: Result):
     row = html[html.index('data-chart="pendulum-chart-ACL"') : html.index('data-chart="pendulum-chart-PCL"')]
     assert '<td class="n" data-label="Value"><b>–</b>' in row
     assert "channel ACL was not recorded" in row
+
+
+def test_a_suite_says_its_overall_verdict_and_that_it_mixes_kinds_and_legforms(
+    pendulum: Result, measured: Result
+):
+    other = measured.model_copy(update={"specimen": {"legform": "flex-pli-gtr", "serial": "GTR-0815"}})
+    html = suite_of([pendulum, other])
+    assert '<section class="verdict v-fail">' in html.split('class="plain index')[0]
+    assert "This suite binds different kinds of tests: simulated test, measured test." in html
+    assert "This suite binds tests of different legforms: flex-pli-gtr; flex-pli-gtr GTR-0815." in html
+    alone = suite_of([pendulum, pendulum])
+    assert "This suite binds" not in alone
+
+
+def test_reports_of_a_suite_are_closed_until_the_index_leads_to_them(pendulum: Result, measured: Result):
+    html = suite_of([pendulum, measured])
+    assert html.count('<details class="chapter">') == 2
+    assert html.count('<a href="#index">') == 2

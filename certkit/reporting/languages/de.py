@@ -283,6 +283,10 @@ WORDS = MappingProxyType(
         "Equipment and calibration": "Messmittel und Kalibrierung",
         "valid": "gültig",
         "NOT VALID": "NICHT GÜLTIG",
+        "This suite binds different kinds of tests: {kinds}.": "Diese Reihe bindet verschiedene Arten von Versuchen: {kinds}.",
+        "This suite binds tests of different legforms: {legs}.": "Diese Reihe bindet Versuche an verschiedenen Beinprüfkörpern: {legs}.",
+        "{passed} of {count} reports passed.": "{passed} von {count} Berichten bestanden.",
+        "Back to the index": "Zurück zum Verzeichnis",
     }
 )
 

@@ -283,6 +283,10 @@ WORDS = MappingProxyType(
         "Equipment and calibration": "機器と校正",
         "valid": "有効",
         "NOT VALID": "無効",
+        "This suite binds different kinds of tests: {kinds}.": "本一式は種類の異なる試験を含みます: {kinds}。",
+        "This suite binds tests of different legforms: {legs}.": "本一式は異なるレッグフォームの試験を含みます: {legs}。",
+        "{passed} of {count} reports passed.": "{count} 件中 {passed} 件が合格。",
+        "Back to the index": "一覧へ戻る",
     }
 )
 
