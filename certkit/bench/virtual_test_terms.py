@@ -51,7 +51,8 @@ def virtual_test_terms(
     limits = load("corridors", LIMITS, library=library)
     rows = run_checks(limits.document, recording.conditions, static=procedure.test_kind == "static")
     layout = None if mapping is None else mapping.finite_elements
-    model = None if layout is None else layout.legform_model
+    told = None if mapping is None else mapping.legform_model
+    model = told if layout is None else layout.legform_model
     name = "" if model is None else model.name
     certification = None if model is None else model.certification
     specimen = {"legform": name} if name else {}

@@ -12,7 +12,7 @@ from certkit.definitions.loading.channel_tables import channels_in
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.units import UNITS
-from certkit.definitions.virtual_test import FiniteElements
+from certkit.definitions.virtual_test import FiniteElements, LegformModel
 
 Filter = Literal["none", "CFC 60", "CFC 180", "CFC 600", "CFC 1000"]
 Sign = Literal[1, -1]
@@ -119,6 +119,9 @@ class Mapping(Document):
     mme: MmeTable = MmeTable()
     finite_elements: Annotated[
         FiniteElements | None, Field(description="Of a finite-element run: a virtual test.")
+    ] = None
+    legform_model: Annotated[
+        LegformModel | None, Field(description="Of a virtual test that comes as ISO-MME or CSV.")
     ] = None
     conditions: Annotated[dict[str, str], Field(description="Conditions the files do not tell.")] = {}
 

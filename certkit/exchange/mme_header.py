@@ -12,6 +12,9 @@ from certkit.files.limits import MAX_HEADER_LINES, MAX_LINE
 
 NOVALUE = "NOVALUE"
 
+OWN_SIMULATION = "simulated by certkit"
+"""Comment of a container of certkit's own simulation; what others simulated is a virtual test."""
+
 
 @dataclass(frozen=True)
 class Line:

@@ -23,7 +23,7 @@ from certkit.exchange.leniency import Leniency
 from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.mme_channel import MmeChannel, read_channel
 from certkit.exchange.mme_checks import check_one_object, data_status_of_test
-from certkit.exchange.mme_header import Header, read_header
+from certkit.exchange.mme_header import OWN_SIMULATION, Header, read_header
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import common_base
 from certkit.files.limits import MAX_CHANNELS
@@ -127,7 +127,7 @@ def read_mme(
         for x in sorted(parts, key=lambda x: list(known.kinds).index(x.kind.name))
     }
     told = together(mme_conditions(header, table, leniency), mapped_conditions(mapping, table))
-    kind = _kind(parts, leniency)
+    kind = _kind(parts, header, leniency)
     notes = [*data_status_of_test(header, leniency), *notes]
     recording = Recording(
         kind=kind,
@@ -257,8 +257,8 @@ def _channels(
     return parts, notes
 
 
-def _kind(parts: Sequence[MmeChannel], leniency: Leniency) -> Kind:
-    """Tell whether the channels were simulated or measured; they must agree."""
+def _kind(parts: Sequence[MmeChannel], header: Header, leniency: Leniency) -> Kind:
+    """Tell whether the channels were simulated, here or by others, or measured; they must agree."""
     simulated = [part for part in parts if part.simulated]
     if simulated and len(simulated) < len(parts):
         other = next(part for part in parts if not part.simulated)
@@ -267,7 +267,10 @@ def _kind(parts: Sequence[MmeChannel], leniency: Leniency) -> Kind:
             f"`Data source` is `simulation`, but {other.place} was measured",
             "the test was measured",
         )
-    return "simulated" if len(simulated) == len(parts) else "measured"
+    if len(simulated) < len(parts):
+        return "measured"
+    own = any(line.value == OWN_SIMULATION for line in header.lines if line.descriptor == "Comments")
+    return "simulated" if own else "virtual"
 
 
 def _of_two(name: str, first: _Listed, second: _Listed, label: str) -> _Listed:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from certkit.definitions.units import UNITS
 from certkit.errors import UsageError
 from certkit.exchange.codes import CodeTable, code_table
-from certkit.exchange.mme_header import NOVALUE
+from certkit.exchange.mme_header import NOVALUE, OWN_SIMULATION
 from certkit.files import write_whole
 from certkit.files.folder_switch import FolderSwitch
 
@@ -130,7 +130,8 @@ def _master(recording: Recording, header: Lookup[str, str], table: CodeTable) ->
             )
             comments.append(_line("Comments", f"{word} = {value:.9g} {unit}"))
     lines += [_line(descriptor, value) for descriptor, value in given.items()]
-    lines += [_line("Number of test objects", "1"), *comments]
+    own = [_line("Comments", OWN_SIMULATION)] if recording.kind == "simulated" else []
+    lines += [_line("Number of test objects", "1"), *own, *comments]
     return "".join(lines)
 
 

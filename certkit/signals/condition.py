@@ -3,7 +3,7 @@
 It is a pipeline of plain functions: each step takes a recording and returns one, with a note of what it
 did. Filtering is not among them: every criterion names its own filter (`certkit.signals.filtered`).
 Simulated recordings need none of this and pass through unchanged, except for the noise window; of a
-finite-element run only time axis and signs are looked at.
+finite-element run only time axis, time zero and signs are looked at.
 """
 
 from __future__ import annotations
@@ -237,7 +237,7 @@ MEASURED_STEPS: tuple[Callable[[Recording, Situation], Recording], ...] = (
 
 STEPS: dict[Kind, tuple[Callable[[Recording, Situation], Recording], ...]] = {
     "measured": MEASURED_STEPS,
-    "virtual": (uniform, right_way_round),
+    "virtual": (uniform, timed, right_way_round),
     "simulated": (),
 }
 

@@ -41,10 +41,13 @@ def free_flight(recording: Recording) -> FreeFlightNoise | None:
     Returns
     -------
     FreeFlight or None
-        None when less than the whole window was recorded, or no tibia moment that is finite there.
+        None when less than the whole window was recorded, or no tibia moment that is finite there. A
+        finite-element run begins shortly before contact; all that it has of the window counts.
     """
     time = recording.time
-    if time.size < 2 or time[0] > -WINDOW + 1.5 * recording.interval:
+    if time.size < 2 or time[0] >= 0:
+        return None
+    if recording.kind != "virtual" and time[0] > -WINDOW + 1.5 * recording.interval:
         return None
     window = slice(int(np.searchsorted(time, -WINDOW)), int(np.searchsorted(time, 0.0)))
     largest = {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import zipfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -142,3 +143,28 @@ def test_the_certificate_is_verified_from_itself_and_from_the_run(
     path.write_text(results["openradioss"].to_json(), "utf-8")
     checks = certkit.verify(path, data=[RUNS / "openradioss"])
     assert [check.what for check in checks.checks if check.outcome == "does not hold"] == []
+
+
+def test_as_iso_mme_it_is_a_virtual_test_still_and_keeps_its_quality(
+    results: dict[str, certkit.Result], tmp_path: Path
+):
+    archive, mapping = tmp_path / "run.zip", tmp_path / "mapping.yaml"
+    certkit.export(results["table"], archive)
+    mapping.write_text("mapping: own\nlegform model: {name: a leg, certification: report 7}\n", "utf-8")
+    again = certkit.grade("vehicle", archive, mapping=mapping)
+    assert (again.kind, again.verdict) == ("virtual test", "fail")
+    assert rows(again)["energy ratio"].value == pytest.approx(rows(results["table"])["energy ratio"].value)
+    assert certkit.grade("vehicle", archive).verdict == "not evaluated"  # nobody names the model
+
+
+def test_a_simulation_of_another_program_is_no_certification_by_certkit(tmp_path: Path):
+    archive = tmp_path / "own.zip"
+    certkit.export(certkit.run("pendulum", refine=False), archive)
+    assert certkit.grade("pendulum", archive).kind == "virtual certification"
+    foreign = tmp_path / "foreign.zip"
+    with zipfile.ZipFile(archive) as own, zipfile.ZipFile(foreign, "w") as other:
+        for name in own.namelist():
+            lines = own.read(name).decode().splitlines(keepends=True)
+            other.writestr(name, "".join(line for line in lines if "simulated by certkit" not in line))
+    result = certkit.grade("pendulum", foreign)
+    assert (result.kind, result.verdict) == ("virtual test", "not evaluated")

@@ -24,11 +24,9 @@ from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.timebase import TimeBase
 from certkit.files.limits import MAX_SAMPLES
 from certkit.reasons import Reason
-from certkit.signals.noise import FREE_FLIGHT_NOISE
 from certkit.signals.recording import Channel, Recording
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping as Lookup
     from collections.abc import Sequence
     from pathlib import Path
 
@@ -92,7 +90,7 @@ def read_run(path: Path, mapping: Mapping, layout: FiniteElements, table: Channe
         shift = 0.0
     else:
         shift = float(time[zero])
-        told |= _before_contact(values, zero, base, table, str(path))
+        told[FREE_FLIGHT] = Told(zero * base.interval, str(path))
     if speed is not None:
         told["speed"] = Told(abs(float(speed.at(np.array([shift]))[0])), str(path))
     told = together(told, mapped_conditions(mapping, code_table(mapping, table)))
@@ -123,18 +121,6 @@ def read_run(path: Path, mapping: Mapping, layout: FiniteElements, table: Channe
 
 def _signed(samples: Samples, sign: int) -> Samples:
     return samples if sign == 1 else type(samples)(samples.time, -samples.values)
-
-
-def _before_contact(
-    values: Lookup[str, np.ndarray], zero: int, base: TimeBase, table: ChannelTable, place: str
-) -> dict[str, Told]:
-    """Return how long the legform flew before contact, and the largest moment while it did."""
-    told = {FREE_FLIGHT: Told(zero * base.interval, place)}
-    moments = [values[name] for name in table.flight if name in values]
-    if moments:
-        noise = max(float(np.abs(moment[: zero + 1]).max()) for moment in moments)
-        told[FREE_FLIGHT_NOISE] = Told(noise, place)
-    return told
 
 
 def _base(histories: Sequence[Samples], source: str) -> TimeBase:

@@ -124,8 +124,10 @@ class BinoutRun:
         known: dict[str, tuple[BinoutTables, int]] = {}
         for tables in self._with(table):
             count = np.atleast_1d(tables.array(table, "ids")).size
-            known |= {title: (tables, k) for k, title in enumerate(tables.legend(table, count))}
-            known |= {str(i): (tables, k) for k, i in enumerate(tables.ids(table))}
+            for k, title in enumerate(tables.legend(table, count)):
+                known.setdefault(title, (tables, k))  # `rcforc` has each contact twice: its first side counts
+            for k, i in enumerate(tables.ids(table)):
+                known.setdefault(str(i), (tables, k))
         if not known:
             have = ", ".join(sorted({each for tables in self._tables for each in tables.tables()}))
             raise DataError(f"{self._source}: there is no table `{table}`; there are {have}: request it")
