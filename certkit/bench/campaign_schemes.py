@@ -42,7 +42,10 @@ def campaign_schemes(sheet: Campaign, library: Library) -> tuple[list[SchemeTerm
         target = sheet.targets
         own = _scheme(target.of, library, used)
         if own.scheme.limits is None:
-            raise UsageError(f"`targets` are shares of limits; the scheme {target.of} has none")
+            raise UsageError(
+                f"`targets` are shares of limits; the scheme {target.of} has none"
+                "; leave `targets` out, or name a scheme with limits"
+            )
         shares = {name: parse_quantity(text, "ratio") for name, text in target.criteria.items()}
         share = parse_quantity(target.share, "ratio")
         terms.append(SchemeTerms(own.scheme, own.corridors, share, shares, own_targets=True))
@@ -50,6 +53,7 @@ def campaign_schemes(sheet: Campaign, library: Library) -> tuple[list[SchemeTerm
     if len(impactors) > 1:
         raise UsageError(
             f"the schemes are for different legforms ({', '.join(impactors)}); a campaign is of one"
+            "; name schemes of one legform"
         )
     _check_zones(sheet, terms)
     return terms, list(used.values())
@@ -79,4 +83,5 @@ def _check_zones(sheet: Campaign, terms: Sequence[SchemeTerms]) -> None:
         if width > rule.metres + 1e-9:
             raise UsageError(
                 f"`relaxed`: the zones are {1e3 * width:g} mm wide together; at most {rule.width} may be"
+                "; make them narrower"
             )

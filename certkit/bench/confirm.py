@@ -118,7 +118,10 @@ class ConfirmationSession:
         """
         known = self.numbers.get(path)
         if known is None or known.answer != "yes":
-            raise UsageError(f"{path}: nobody has confirmed it yet; it cannot be countersigned")
+            raise UsageError(
+                f"{path}: nobody has confirmed it yet; it cannot be countersigned"
+                "; confirm it first, with `certkit confirm`"
+            )
         if known.by.strip().casefold() == self.by.strip().casefold():
             raise UsageError(f"{path}: {self.by} read it; another person countersigns")
         signed = Signature(by=self.by, day=self.day)
@@ -236,7 +239,9 @@ def _digest(path: Path) -> str:
         if not path.is_file():
             raise UsageError(f"{path}: is no file; name the text that was read")
         if path.stat().st_size > LARGEST_TEXT:
-            raise UsageError(f"{path}: is larger than {LARGEST_TEXT // 1_000_000} MB; is it the text?")
+            raise UsageError(
+                f"{path}: is larger than {LARGEST_TEXT // 1_000_000} MB; is it the text?; give the text alone"
+            )
         with path.open("rb") as stream:
             for block in iter(lambda: stream.read(1 << 20), b""):
                 digest.update(block)

@@ -51,7 +51,14 @@ def read_files(path: Path, channels: ChannelTable | None = None) -> LaboratoryFi
         common = validate(read_tree(shared.text or "", beside.name), Laboratory, channels=channels)
         if common.shared is not None:
             raise DefinitionError(
-                [Problem(beside.name, 0, 0, "is shared by tests, and cannot share another file itself")]
+                [
+                    Problem(
+                        beside.name,
+                        0,
+                        0,
+                        ("is shared by tests, and cannot share another file itself; write both into one"),
+                    )
+                ]
             )
         inputs.insert(0, shared)
     laboratory = laboratory_of(inputs, channels)
@@ -97,5 +104,6 @@ def _joined(shared: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
 
 def _input(path: Path) -> InputFile:
     data = read_bytes(path)
+    read_tree(data, path.name)  # refuses what is not UTF-8, with its line
     digest = hashlib.sha256(data).hexdigest()
     return InputFile(role=ROLE, path=path.name, sha256=digest, text=data.decode("utf-8-sig"))

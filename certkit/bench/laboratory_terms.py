@@ -93,7 +93,7 @@ def laboratory_terms(
     rule, known = laboratory.decision, channels or default_channels()
     item, test = laboratory.item, laboratory.test
     if test is None or item is None:
-        raise DataError(f"{sources[0].path}: names no item and no test")
+        raise DataError(f"{sources[0].path}: names no item and no test; give `item` and `test`")
     if item.legform is None:
         item = item.model_copy(update={"legform": known.impactor})
         laboratory = laboratory.model_copy(update={"item": item})

@@ -61,6 +61,9 @@ def load(
     if kind not in DOCUMENTS:
         return load_definition(kind, name, library=library, overrides=overrides)
     if overrides:
-        raise UsageError(f"a {kind} is a document that was written; its values cannot be changed")
+        raise UsageError(
+            f"a {kind} is a document that was written; its values cannot be changed"
+            "; leave the changed values out"
+        )
     model, path = document_class(kind), Path(name)
     return model.read(path / model.file_name if path.is_dir() else path)

@@ -83,11 +83,13 @@ def attachments_of(path: Path, content: bytes | None = None) -> Attached:
         if listed["schema"] != SCHEMA:
             raise DataError(
                 f"{path}: {MANIFEST} has the schema {listed['schema']!r}; this certkit knows {SCHEMA}"
+                "; verify it with the certkit that made it"
             )
         hashes = {str(item["name"]): str(item["sha256"]) for item in listed["attachments"]}
     except (ValueError, KeyError, TypeError) as error:
         raise DataError(
             f"{path}: {MANIFEST} is damaged; the certificate was changed since it was made"
+            "; ask its maker for the original"
         ) from error
     spoken = str(listed.get("language", ENGLISH))
     spoken = spoken if spoken in languages() else ENGLISH
@@ -105,7 +107,10 @@ def _opened(path: Path, content: bytes) -> tuple[Paper, datetime | None, list[tu
         try:
             count = document.count_attachments()
             if count > MOST:
-                raise DataError(f"{path}: {count} attachments; this is no certificate of certkit")
+                raise DataError(
+                    f"{path}: {count} attachments; this is no certificate of certkit"
+                    "; name one that certkit wrote"
+                )
             width = document[0].get_size()[0]
             attached = [document.get_attachment(index) for index in range(count)]
             created = _date(document.get_metadata_dict().get("CreationDate", ""))

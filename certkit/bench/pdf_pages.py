@@ -54,7 +54,10 @@ def pdf_pages(content: bytes, name: str) -> list[PdfPage]:
         document: Any = pypdfium2.PdfDocument(content)
         try:
             if len(document) > MOST_PAGES:
-                raise DataError(f"{name}: {len(document)} pages; this is no certificate of certkit")
+                raise DataError(
+                    f"{name}: {len(document)} pages; this is no certificate of certkit"
+                    "; name one that certkit wrote"
+                )
             return [_page(document[index], name) for index in range(len(document))]
         finally:
             document.close()
@@ -65,7 +68,10 @@ def pdf_pages(content: bytes, name: str) -> list[PdfPage]:
 def _page(page: Any, name: str) -> PdfPage:  # noqa: ANN401  # pypdfium2 has no types
     width, height = page.get_size()
     if max(width, height) > LARGEST_SIDE:
-        raise DataError(f"{name}: a page of {width:.0f} x {height:.0f} points; this is no certificate")
+        raise DataError(
+            f"{name}: a page of {width:.0f} x {height:.0f} points; this is no certificate"
+            "; name a certificate that certkit wrote"
+        )
     words = page.get_textpage()
     text = " ".join(words.get_text_range().split())
     words.close()

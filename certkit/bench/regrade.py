@@ -64,6 +64,7 @@ def carried_setup(result: Result) -> Setup:
     if ("procedure", result.procedure) not in shelf.texts:
         raise DataError(
             f"the document does not carry its procedure `{result.procedure}`; it cannot be graded again"
+            "; run or grade it anew"
         )
     overrides = {change.path: change.value for change in result.provenance.overrides}
     with warnings.catch_warnings():

@@ -80,7 +80,11 @@ def _next(pattern: str, year: int, used: set[str]) -> str:
 def _rows(register: Path) -> list[tuple[str, str, str, str]]:
     if not register.exists():
         return []
-    lines = list(csv.reader(io.StringIO(read_bounded(register).decode("utf-8"))))
+    try:
+        text = read_bounded(register).decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise DataError(f"{register}: not UTF-8 text; restore the register that certkit wrote") from error
+    lines = list(csv.reader(io.StringIO(text)))
     if not lines or tuple(lines[0]) != HEADS or any(len(line) != len(HEADS) for line in lines):
         raise DataError(f"{register}: not a register of report numbers; its columns are {', '.join(HEADS)}")
     return [(number, revision, day, of) for number, revision, day, of in lines[1:]]

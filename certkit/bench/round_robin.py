@@ -71,7 +71,7 @@ def round_robin(
     kept = [(names[name], entry, result) for name, entry, result in tests if _key(name) not in gone]
     laboratories = sorted({name for name, _, _ in kept})
     if len(laboratories) < 2:  # one alone agrees with itself
-        raise UsageError("a round robin needs certificates of two laboratories or more")
+        raise UsageError("a round robin needs certificates of two laboratories or more; name more of them")
     criteria = _criteria(kept)
     if not criteria:
         raise UsageError("no criterion has values of two laboratories; name certificates of one procedure")

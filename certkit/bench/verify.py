@@ -84,7 +84,7 @@ def verify(
     wanted = Wanted(tuple(map(Path, data)), None if trust is None else Path(trust), quick, beside)
     for given in (*wanted.data, *((wanted.trust,) if wanted.trust else ())):
         if not given.exists():
-            raise UsageError(f"{given}: there is no such file or folder")
+            raise UsageError(f"{given}: there is no such file or folder; check the name")
     if path.is_dir():
         return _folder(path, wanted)
     return _file(path, wanted)
@@ -275,5 +275,6 @@ def _result(content: bytes, name: str, found: list[Check]) -> Result:
         if changed:
             raise DataError(
                 f"{changed[0]} was changed since it was written, and cannot be read: {error}"
+                "; ask its maker for the original"
             ) from error
         raise

@@ -61,7 +61,7 @@ def verify(
     data = [path for path in certificate if path not in certificates]
     if not all(path.exists() for path in certificate):
         missing = next(path for path in certificate if not path.exists())
-        raise UsageError(f"{missing}: there is no such file or folder")
+        raise UsageError(f"{missing}: there is no such file or folder; check the name")
     found = [check(path, data, trust=trust, quick=quick, others=certificates) for path in certificates]
     if as_json:
         typer.echo(json.dumps([_plain(each) for each in found], ensure_ascii=False, indent=1))

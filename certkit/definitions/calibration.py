@@ -102,7 +102,13 @@ class Target(Document):
             faults.append((("recording",), "it is not looked at; write `to: recording`"))
         if recorded and self.criteria is not None:
             faults.append(
-                (("criteria",), "a recording is aimed at by `channels` or a `curve`, not by criteria")
+                (
+                    ("criteria",),
+                    (
+                        "a recording is aimed at by `channels` or a `curve`, not by criteria"
+                        "; leave `criteria` out"
+                    ),
+                )
             )
         if faults:
             raise Faults(faults)
@@ -165,12 +171,15 @@ class CalibrationTask(Document):
         names = [parameter.name for parameter in self.parameters]
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
-            raise ValueError(f"the parameter `{twice[0]}` stands here twice")
+            raise ValueError(f"the parameter `{twice[0]}` stands here twice; keep one of them")
         strangers = sorted(
             {p.procedure for p in self.parameters if p.procedure} - {t.procedure for t in self.targets}
         )
         if strangers:
-            raise ValueError(f"`{strangers[0]}` has parameters but is no target of this fit")
+            raise ValueError(
+                f"`{strangers[0]}` has parameters but is no target of this fit"
+                "; add it to the targets, or leave its parameters out"
+            )
         unscoped = [p.path for p in self.parameters if not p.procedure and not p.path.startswith("legform.")]
         if unscoped:
             raise ValueError(f"`{unscoped[0]}` is no number of the legform; name its `procedure`")

@@ -57,19 +57,38 @@ class PointSource(Document):
         if sum(way is not None for way in ways) != 1:
             raise Faults([((), "a source is one of `measured`, `finite elements`, `lumped`, `predicted`")])
         faults: list[Fault] = [
-            (("predicted", name), f"`{text}` is not a number with a unit that certkit knows")
+            (
+                ("predicted", name),
+                (f"`{text}` is not a number with a unit that certkit knows; write it like `700 mm`"),
+            )
             for name, text in (self.predicted or {}).items()
             if not set(dimensions(text)) - {"ratio", "count"}
         ]
         if self.set and self.lumped is None:
-            faults.append((("set",), "only a `lumped` source is simulated, so that values can be changed"))
+            faults.append(
+                (
+                    ("set",),
+                    (
+                        "only a `lumped` source is simulated, so that values can be changed"
+                        "; leave the changed values out"
+                    ),
+                )
+            )
         faults += [
-            ((key,), f"`{key}` belongs to a recording: `measured` or `finite elements`")
+            (
+                (key,),
+                (
+                    f"`{key}` belongs to a recording: `measured` or `finite elements`"
+                    "; leave it out, or change the kind of the source"
+                ),
+            )
             for key in ("procedure", "mapping")
             if getattr(self, key) is not None and self.file is None
         ]
         if self.laboratory is not None and self.measured is None:
-            faults.append((("laboratory",), "`laboratory` belongs to a `measured` source"))
+            faults.append(
+                (("laboratory",), ("`laboratory` belongs to a `measured` source; leave it out here"))
+            )
         if faults:
             raise Faults(faults)
         return self
@@ -170,7 +189,10 @@ class Campaign(Document):
     def _fits_together(self) -> Self:
         names = [point.point for point in self.points]
         faults: list[Fault] = [
-            (("points", i, "point"), f"`{name}` is a point already; names are unique")
+            (
+                ("points", i, "point"),
+                (f"`{name}` is a point already; names are unique; give this one another"),
+            )
             for i, name in enumerate(names)
             if name in names[:i]
         ]
@@ -197,7 +219,7 @@ class Campaign(Document):
 
     def _places(self) -> list[Fault]:
         faults: list[Fault] = [
-            (("relaxed", i), f"the zone ends at {zone[1]}, before it begins at {zone[0]}")
+            (("relaxed", i), (f"the zone ends at {zone[1]}, before it begins at {zone[0]}; exchange the two"))
             for i, zone in enumerate(self.zones)
             if zone[0] >= zone[1]
         ]
@@ -212,7 +234,10 @@ class Campaign(Document):
             faults += [
                 (
                     ("points", i, "across"),
-                    f"lies outside the test area, {self.car.test_area[0]} to {self.car.test_area[1]}",
+                    (
+                        f"lies outside the test area, {self.car.test_area[0]} to {self.car.test_area[1]}"
+                        "; correct the point or the area"
+                    ),
                 )
                 for i, point in enumerate(self.points)
                 if not low - 1e-9 <= point.metres <= high + 1e-9

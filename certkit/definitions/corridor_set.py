@@ -97,7 +97,13 @@ class Band(CorridorEntry):
                 wrong = [((side, 0, 0), f"`{points[0][0]}` is no time; points are pairs (time, value)")]
             faults += wrong
             faults += [
-                ((side, i + 1, 0), "the times of a band have to increase; this one does not")
+                (
+                    (side, i + 1, 0),
+                    (
+                        "the times of a band have to increase; this one does not"
+                        "; put its points in their order"
+                    ),
+                )
                 for i, ((before, _), (after, _)) in enumerate(pairwise(line))
                 if not after > before
             ]

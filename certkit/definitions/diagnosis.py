@@ -62,5 +62,5 @@ class Diagnosis(Document):
         names = [part.part for part in self.parts]
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
-            raise ValueError(f"the part `{twice[0]}` stands here twice")
+            raise ValueError(f"the part `{twice[0]}` stands here twice; keep one of them")
         return self

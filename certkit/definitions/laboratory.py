@@ -180,7 +180,10 @@ class Laboratory(Document):
             if sensor.channel not in channels.kinds
         ]
         faults += [
-            ((key, index, "expires"), f"expires {each.expires}, before it was calibrated")
+            (
+                (key, index, "expires"),
+                (f"expires {each.expires}, before it was calibrated; correct one of the days"),
+            )
             for key, listed in (("sensors", self.sensors), ("equipment", self.equipment))
             for index, each in enumerate(listed)
             if each.expires < each.calibrated
@@ -208,7 +211,15 @@ class Laboratory(Document):
                 continue
             try:
                 if self.uncertainty(name, channels) <= 0:
-                    faults.append((("uncertainties", name), "an expanded uncertainty is greater than zero"))
+                    faults.append(
+                        (
+                            ("uncertainties", name),
+                            (
+                                "an expanded uncertainty is greater than zero"
+                                "; leave it out where it is not known"
+                            ),
+                        )
+                    )
             except ValueError as error:
                 faults.append((("uncertainties", name), str(error)))
         return faults
@@ -220,9 +231,13 @@ class Laboratory(Document):
         received = self.item.received if self.item else None
         faults: list[Fault] = []
         if received and received > self.test.performed:
-            faults.append((("item", "received"), f"received {received}, after the test"))
+            faults.append(
+                (("item", "received"), (f"received {received}, after the test; correct one of the days"))
+            )
         if self.test.issued and self.test.issued < self.test.performed:
-            faults.append((("test", "issued"), f"issued {self.test.issued}, before the test"))
+            faults.append(
+                (("test", "issued"), (f"issued {self.test.issued}, before the test; correct one of the days"))
+            )
         return faults
 
     def uncertainty(self, channel: str, channels: ChannelTable | None = None) -> float:

@@ -67,7 +67,9 @@ class Legform(Section):
             When the leg has no such end.
         """
         if end not in self.ends:
-            raise RunError(f"the leg has no `{end}`; it has `{self.ends[0]}` and `{self.ends[1]}`")
+            raise RunError(
+                f"the leg has no `{end}`; it has `{self.ends[0]}` and `{self.ends[1]}`; name one of these"
+            )
         return end == self.ends[0]
 
     def gauge_height(self, channel: LegformChannel) -> float:
@@ -140,7 +142,12 @@ class Legform(Section):
             if {name, channel.title} & rig:
                 faults.append((("channels", name), f"`{name}` is a channel of the rig; give it another name"))
             elif titles.count(channel.title) > 1:
-                faults.append((("channels", name, "title"), f"`{channel.title}` is said of two channels"))
+                faults.append(
+                    (
+                        ("channels", name, "title"),
+                        (f"`{channel.title}` is said of two channels; give each its own title"),
+                    )
+                )
         if faults:
             raise Faults(faults)
         return self

@@ -87,7 +87,10 @@ class Scheme(Document):
             unknown = sorted(set(self.relaxation.limits) - set(self.limits or ()))
             if unknown:
                 faults.append(
-                    (("relaxation", "limits", unknown[0]), f"`{unknown[0]}` has no limit to be relaxed")
+                    (
+                        ("relaxation", "limits", unknown[0]),
+                        (f"`{unknown[0]}` has no limit to be relaxed; leave it out, or give it a limit"),
+                    )
                 )
         if self.limits is not None and self.total is not None:
             faults.append((("total",), "a scheme of limits gives no points; leave one of the two out"))

@@ -144,10 +144,13 @@ class Study(Document):
         names = [parameter.name for parameter in self.parameters]
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
-            raise ValueError(f"the parameter `{twice[0]}` stands here twice")
+            raise ValueError(f"the parameter `{twice[0]}` stands here twice; keep one of them")
         unknown = [name for pair in self.correlations for name in pair.between if name not in names]
         if unknown:
-            raise ValueError(f"`{unknown[0]}` is correlated but is no parameter of this study")
+            raise ValueError(
+                f"`{unknown[0]}` is correlated but is no parameter of this study"
+                "; add it to the parameters, or leave its correlation out"
+            )
         if (self.design is None) == (self.optimise is None):
             raise ValueError("a study has either a `design` or something to `optimise`")
         if self.correlations and (self.design is None or not DESIGNS[self.design.kind].by_probability):
@@ -155,5 +158,7 @@ class Study(Document):
             raise ValueError(f"correlated parameters need the design {able}")
         strangers = [p.procedure for p in self.parameters if p.procedure not in {None, *self.procedures}]
         if strangers:
-            raise ValueError(f"`{strangers[0]}` is no procedure of this study")
+            raise ValueError(
+                f"`{strangers[0]}` is no procedure of this study; add it to `procedures`, or correct the name"
+            )
         return self

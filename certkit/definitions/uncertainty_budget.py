@@ -60,5 +60,5 @@ class UncertaintyBudget(Document):
         paths = [tolerance.path for tolerance in self.rig]
         twice = sorted({path for path in paths if paths.count(path) > 1})
         if twice:
-            raise ValueError(f"the tolerance of `{twice[0]}` stands here twice")
+            raise ValueError(f"the tolerance of `{twice[0]}` stands here twice; keep one of them")
         return self

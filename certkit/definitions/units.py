@@ -91,7 +91,9 @@ def parse_quantity(text: object, dimension: str) -> float:
             value += 273.15
         if math.isfinite(value):
             return value
-        raise ValueError(f"`{_short(text)}` is not a finite number")
+        raise ValueError(
+            f"`{_short(text)}` is not a finite number; write a number with its unit, such as `25 mm`"
+        )
     allowed = ", ".join(u for u in units if u) or "no unit"
     if isinstance(text, bool) or not isinstance(text, (str, int, float)):
         example = f"1 {next(iter(units))}".strip()

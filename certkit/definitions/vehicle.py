@@ -70,9 +70,13 @@ class Group(Section):
         ):
             for k, points in enumerate(lines):
                 if self.outlines and len(points) != len(self.outlines[0].points):
-                    faults.append(((name, k, "points"), "every outline of a face has the same points"))
+                    faults.append(
+                        ((name, k, "points"), ("every outline of a face has the same points; resample them"))
+                    )
                 if k > 0 and places[k] <= places[k - 1]:
-                    faults.append(((name, k), "outlines have to stand in rising order"))
+                    faults.append(
+                        ((name, k), ("outlines have to stand in rising order; put them in their order"))
+                    )
         if faults:
             raise Faults(faults)
         return self
@@ -125,7 +129,13 @@ class Spring(Section):
         ):
             if x <= before:
                 faults.append(
-                    (("loading", index), "the curve's shortenings have to rise from point to point")
+                    (
+                        ("loading", index),
+                        (
+                            "the curve's shortenings have to rise from point to point"
+                            "; put the points in their order"
+                        ),
+                    )
                 )
             if x > 0 > force:
                 faults.append(
@@ -165,7 +175,10 @@ class FrontSheet(Section):
             ("springing back", [float(p[0]) for p in self.springing_back]),
         ):
             faults += [
-                ((name, k), "the first numbers have to rise from point to point")
+                (
+                    (name, k),
+                    ("the first numbers have to rise from point to point; put the points in their order"),
+                )
                 for k in range(1, len(places))
                 if places[k] <= places[k - 1]
             ]
@@ -200,7 +213,15 @@ class Vehicle(Section):
             if name in self.springs
         ]
         if all(group.position is None for group in self.groups.values()):
-            faults.append((("groups",), "no group has a face (low, high, position): there is nothing to hit"))
+            faults.append(
+                (
+                    ("groups",),
+                    (
+                        "no group has a face (low, high, position): there is nothing to hit"
+                        "; give one of them a face"
+                    ),
+                )
+            )
         if faults:
             raise Faults(faults)
         return self

@@ -119,7 +119,12 @@ class FiniteElements(Document):
             if self.format == "tidy csv" and history.column is None:
                 faults.append((("channels", name), "a tidy table has columns; name the `column`"))
             elif self.format not in {None, "tidy csv"} and history.column is not None:
-                faults.append((("channels", name, "column"), "a solver's file has tables, no columns"))
+                faults.append(
+                    (
+                        ("channels", name, "column"),
+                        ("a solver's file has tables, no columns; map `table`, `of` and `variable`"),
+                    )
+                )
         if faults:
             raise Faults(faults)
         return self

@@ -127,7 +127,10 @@ def recording_of(result: Result, source: str | None = None, table: ChannelTable 
     """
     carried = result.channels
     if carried is None:
-        raise DataError(f"the result of `{result.procedure}` carries no channels; it cannot be graded again")
+        raise DataError(
+            f"the result of `{result.procedure}` carries no channels; it cannot be graded again"
+            "; grade the recording itself"
+        )
     known = table or default_channels()
     channels = {}
     for name, series in carried.series.items():
@@ -195,5 +198,8 @@ def _dimension(name: str, unit: str, table: ChannelTable) -> Dimension:
     """Return the dimension of a channel in a document by its name, else by its unit."""
     dimension = table.dimension(name, unit)
     if dimension is None:
-        raise DataError(f"channel `{name}` has the unit `{unit}`, which certkit does not know")
+        raise DataError(
+            f"channel `{name}` has the unit `{unit}`, which certkit does not know"
+            "; read it with the certkit that wrote it"
+        )
     return dimension

@@ -29,11 +29,16 @@ def check_axis(start: float, interval: float, count: int) -> None:
         When it has no or too many samples, or does not go forward.
     """
     if not 0 <= count <= MOST_SAMPLES:
-        raise ValueError(f"`count` is {count}; a time axis has at most {MOST_SAMPLES} samples")
+        raise ValueError(
+            f"`count` is {count}; a time axis has at most {MOST_SAMPLES} samples; shorten the record"
+        )
     if count > 1 and not 0 < interval < LARGEST_VALUE:
-        raise ValueError(f"`interval` is {interval:g} s; a time axis of {count} samples goes forward")
+        raise ValueError(
+            f"`interval` is {interval:g} s; a time axis of {count} samples goes forward"
+            "; the document is damaged: make it again"
+        )
     if abs(start) > LARGEST_VALUE:
-        raise ValueError(f"`start` is {start:g} s")
+        raise ValueError(f"`start` is {start:g} s; the document is damaged: make it again")
 
 
 def check_lengths(expected: int, lists: Mapping[str, Sized], of: str) -> None:
@@ -54,7 +59,10 @@ def check_lengths(expected: int, lists: Mapping[str, Sized], of: str) -> None:
     """
     for name, values in lists.items():
         if len(values) != expected:
-            raise ValueError(f"`{name}` has {len(values)} values for {expected} {of}")
+            raise ValueError(
+                f"`{name}` has {len(values)} values for {expected} {of}"
+                "; the document is damaged: make it again"
+            )
 
 
 def check_sizes(name: str, values: Sequence[float]) -> None:
@@ -66,7 +74,9 @@ def check_sizes(name: str, values: Sequence[float]) -> None:
         When one is beyond `LARGEST_VALUE`.
     """
     if values and (max(values) > LARGEST_VALUE or min(values) < -LARGEST_VALUE):
-        raise ValueError(f"`{name}` has a value beyond {LARGEST_VALUE:g}")
+        raise ValueError(
+            f"`{name}` has a value beyond {LARGEST_VALUE:g}; the document is damaged: make it again"
+        )
 
 
 def plain_name(text: str) -> str:

@@ -111,7 +111,10 @@ class OutputDocument(Part):
         check_size(content, name)
         text = content if isinstance(content, str) else content.decode("utf-8", errors="replace")
         if odd := odd_character_in_json(text):
-            raise DataError(f"{name}: holds the control character U+{ord(odd):04X}; certkit writes none")
+            raise DataError(
+                f"{name}: holds the control character U+{ord(odd):04X}; certkit writes none"
+                "; make the document again"
+            )
         try:
             return cls.model_validate_json(content)
         except ValidationError as error:
@@ -225,12 +228,16 @@ def check_size(content: str | bytes, name: str) -> None:
     if len(content) > MAX_DOCUMENT_BYTES:
         raise DataError(
             f"{name}: {len(content)} bytes are more than a document can have ({MAX_DOCUMENT_BYTES})"
+            "; make it again with less data"
         )
     data = content.encode() if isinstance(content, str) else content
     values = sum(data.count(mark) for mark in (b",", b"[", b"{"))
     numbers = sum(data.count(b",%c" % digit) for digit in b"-0123456789")
     if values > MAX_DOCUMENT_VALUES or values - numbers > MAX_DOCUMENT_WORDS:
-        raise DataError(f"{name}: more values than a document can have ({MAX_DOCUMENT_VALUES})")
+        raise DataError(
+            f"{name}: more values than a document can have ({MAX_DOCUMENT_VALUES})"
+            "; make it again with less data"
+        )
 
 
 def _refusal(error: ValidationError, name: str, wanted: type[OutputDocument]) -> str:

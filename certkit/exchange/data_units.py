@@ -94,4 +94,4 @@ def quantity_of_any_dimension(text: str) -> float:
             return quantity(text, dimension)
         except ValueError:
             continue
-    raise ValueError(f"`{text}` is not a number with a unit that certkit knows")
+    raise ValueError(f"`{text}` is not a number with a unit that certkit knows; write it like `200 N·m`")

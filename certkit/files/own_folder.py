@@ -44,7 +44,7 @@ class OwnFolder:
     def __init__(self, path: Path) -> None:
         """Make the folder, look at it and at all above it, and read or make its key."""
         if not path.is_absolute():
-            raise PermissionError(f"{path} is no whole path")
+            raise PermissionError(f"{path} is no whole path; name it from the root on")
         for folder in (*reversed(path.parents), path):
             if not folder.exists():
                 folder.mkdir(mode=0o700, exist_ok=True)
@@ -94,7 +94,7 @@ class OwnFolder:
             mine.unlink(missing_ok=True)
         key = self._read_key()
         if key is None:
-            raise PermissionError(f"files in {self.path} do not stay the user's own")
+            raise PermissionError(f"files in {self.path} do not stay the user's own; name another folder")
         return key
 
 
@@ -108,7 +108,9 @@ def _check_owner(path: Path) -> None:
         # In a sticky folder such as /tmp nobody moves what belongs to others.
         kept = folder != path and status.st_mode & stat.S_ISVTX
         if not mine or (status.st_mode & _OTHERS and not kept):
-            raise PermissionError(f"others could write in {folder}")
+            raise PermissionError(
+                f"others could write in {folder}; take their right to write away, or name another folder"
+            )
 
 
 def _own_bytes(path: Path, *, secret: bool = False) -> bytes | None:

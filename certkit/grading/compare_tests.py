@@ -109,6 +109,7 @@ def _interval(a: Recording, b: Recording, until: float | None) -> tuple[float, f
     if end <= begin:
         raise DataError(
             f"{a.source or 'the first'} and {b.source or 'the second'} share no time after contact"
+            "; check their time axes"
         )
     return begin, end
 

@@ -121,6 +121,7 @@ def polygon_corners(
         raise UsageError(
             f"corridor {corridor.name}: is a polygon of {polygon.y} over {polygon.x}, "
             f"which is not the plane of criterion {criterion.id}"
+            "; name another corridor or plane"
         )
     return _line(corridor, polygon.points, trace.x_dimension, trace.y_dimension)
 

@@ -41,7 +41,7 @@ def with_spread(results: Sequence[Result]) -> Result:
         raise UsageError("a spread needs the nominal leg and at least one member of its family")
     nominal = results[0]
     if any(result.procedure != nominal.procedure for result in results):
-        raise UsageError("a spread is over one procedure; these results are of several")
+        raise UsageError("a spread is over one procedure; these results are of several; give results of one")
     trusted = [result for result in results[1:] if result.verdict != "error"]
     legs = [nominal, *trusted]
     criteria = []

@@ -33,7 +33,9 @@ def error_percent(simulation: float, test: float) -> float:
         When the test value is zero or not finite: no relative error exists then.
     """
     if test == 0 or not math.isfinite(test):
-        raise UsageError(f"no relative error against a test value of {test}")
+        raise UsageError(
+            f"no relative error against a test value of {test}; leave the channel out of the reference"
+        )
     return (simulation - test) / test * 100.0
 
 
@@ -88,7 +90,7 @@ def _row(reference: Reference, criterion: CriterionResult, text: str) -> Compari
     published = None if printed is None else _shown(printed, criterion, reference)
     simulation = criterion.value
     if simulation is None:
-        raise UsageError(f"criterion {criterion.id} has no value to compare")
+        raise UsageError(f"criterion {criterion.id} has no value to compare; leave it out of the reference")
     return ComparisonRow(
         channel=criterion.id,
         unit=criterion.unit,
@@ -111,4 +113,4 @@ def _shown(text: str, criterion: CriterionResult, reference: Reference) -> float
             return parse_quantity(text, name) / parse_quantity(f"1 {criterion.unit}", name)
         except ValueError:
             continue
-    raise UsageError(f"{where}: `{text}` cannot be given in {criterion.unit}")
+    raise UsageError(f"{where}: `{text}` cannot be given in {criterion.unit}; correct its unit")

@@ -91,7 +91,10 @@ class SchemeTerms:
         """
         window = self._window(criterion, relaxed=relaxed)
         if window.upper is None:
-            raise UsageError(f"scheme {self.scheme.scheme}: the window of {criterion} has no upper limit")
+            raise UsageError(
+                f"scheme {self.scheme.scheme}: the window of {criterion} has no upper limit"
+                "; give its corridor one"
+            )
         return in_unit(window.upper, unit, criterion) * self.shares.get(criterion, self.share)
 
     def _window(self, criterion: str, *, relaxed: bool) -> ValueWindow:
@@ -135,4 +138,4 @@ def in_unit(text: str, unit: str, what: str) -> float:
     for dimension in dimensions(text):
         if unit in UNITS[dimension]:
             return parse_quantity(text, dimension) / UNITS[dimension][unit]
-    raise UsageError(f"`{text}` cannot be given in {unit}, the unit of {what}")
+    raise UsageError(f"`{text}` cannot be given in {unit}, the unit of {what}; correct its unit")

@@ -181,7 +181,9 @@ def _rate(name: str, score: Score, scale: SlidingScale, criterion: CriterionResu
 
 def _value(criterion: CriterionResult) -> float:
     if criterion.value is None:
-        raise UsageError(f"criterion {criterion.id} has no value to be scored")
+        raise UsageError(
+            f"criterion {criterion.id} has no value to be scored; leave the score out, or record the channel"
+        )
     return criterion.value
 
 
@@ -194,4 +196,5 @@ def _shown(text: str, criterion: CriterionResult, name: str) -> float:
             continue
     raise UsageError(
         f"score {name}: `{text}` cannot be given in {criterion.unit}, the unit of {criterion.id}"
+        "; correct its unit"
     )

@@ -64,6 +64,7 @@ def first_steps(case: Case, data: FrontData) -> FirstSteps:
     if not any(np.any(np.abs(p - p[0]) > 1e-9) for p in momenta.values()):
         raise DataError(
             f"{histories.source}: no group's momentum ever changes; the histories end before the impact"
+            "; let the run go on, or correct `until`"
         )
     moved = group_displacements(case, graph, histories, grid)
     return FirstSteps(

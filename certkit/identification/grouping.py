@@ -74,6 +74,7 @@ def build_graph(case: Case, histories: PartHistories) -> Graph:
     if GROUND in groups:
         raise DataError(
             "a group cannot be called `ground`: that is the car's body, which takes up what arrives"
+            "; give it another name"
         )
     owner: dict[str, str] = {}
     for name, parts in groups.items():
@@ -81,6 +82,7 @@ def build_graph(case: Case, histories: PartHistories) -> Graph:
             if part in owner:
                 raise DataError(
                     f"part `{part}` is in the groups `{owner[part]}` and `{name}`; it can be in one"
+                    "; leave it out of one"
                 )
             owner[part] = name
     links: dict[str, Link] = {}
@@ -102,7 +104,7 @@ def _link(path: Path, groups: dict[str, tuple[str, ...]]) -> Link:
             known = ", ".join([*groups, GROUND])
             raise DataError(f"path {path.name}: there is no group `{end}`; there are {known}")
     if source == target:
-        raise DataError(f"path {path.name} leads back to its own group")
+        raise DataError(f"path {path.name} leads back to its own group; correct `between`")
     if path.spring is not None and target != GROUND:
         raise DataError(f"path {path.name}: a recorded spring leads to the ground; write [{source}, ground]")
     start = None if path.start is None else float(path.start)

@@ -82,6 +82,7 @@ def convert(
             raise DataError(
                 f"the block is crushed to a strain of {top:.2f} only; the comparison starts at "
                 f"{material.strain_from:.2f}"
+                "; lower `strain from`"
             )
         at = np.linspace(material.strain_from, top, 201)
         wanted = np.interp(at, reference_strain, reference_stress)
@@ -119,7 +120,7 @@ def _curve(folder: Path, name: str) -> tuple[Values, Values, dict[str, str]]:
             )
     strain = table.columns["eng_strain"]
     if np.any(np.diff(strain) <= 0):
-        raise DataError(f"{path}: eng_strain must rise from row to row")
+        raise DataError(f"{path}: eng_strain must rise from row to row; put its rows in their order")
     return strain, table.columns["eng_stress_MPa"] * 1e6, {name: table.digest}
 
 
@@ -138,5 +139,5 @@ def parse_area(text: str) -> float:
     except (IndexError, KeyError, ValueError):
         raise DataError(f"`{text}` is no area; write a number and mm², cm² or m²") from None
     if not (np.isfinite(area) and area > 0):
-        raise DataError(f"`{text}` is no area above zero")
+        raise DataError(f"`{text}` is no area above zero; write it like `40000 mm²`")
     return area

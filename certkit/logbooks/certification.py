@@ -64,7 +64,10 @@ def certificate_of(leg: LegOverview, results: Sequence[Result], issue: Issue) ->
     by_procedure = {result.procedure: result for result in results}
     lost = [name for name, line in wanted.items() if line is not None and name not in by_procedure]
     if lost:
-        raise DataError(f"certificate of {leg.serial}: the result of {lost[0]} is not handed over")
+        raise DataError(
+            f"certificate of {leg.serial}: the result of {lost[0]} is not handed over"
+            "; hand over its result.json"
+        )
     ordered = [by_procedure[name] for name in wanted if name in by_procedure]
     tests = [_test(name, by_procedure.get(name)) for name in wanted]
     verdict = worst(test.verdict for test in tests)

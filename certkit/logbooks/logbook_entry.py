@@ -118,7 +118,10 @@ def entry_of(result: Result, place: str) -> LogbookEntry:
         When the test was not measured, or the document does not say which legform was tested, or when.
     """
     if result.kind != MEASURED:
-        raise DataError(f"{place}: is a {result.kind}; a legform's logbook holds measured tests only")
+        raise DataError(
+            f"{place}: is a {result.kind}; a legform's logbook holds measured tests only"
+            "; book the evaluation of a measured test"
+        )
     header = result.laboratory or {}
     item, test = header.get("item"), header.get("test")
     serial = item.get("serial") if isinstance(item, dict) else None

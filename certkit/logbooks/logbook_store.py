@@ -88,7 +88,7 @@ class Logbook:
         wanted = list(ids)
         missing = [each for each in wanted if each not in names]
         if missing:
-            raise DataError(f"{self.folder}: has no test {missing[0]}")
+            raise DataError(f"{self.folder}: has no test {missing[0]}; `certkit history` lists them")
         return [Result.read(self.documents / names[each]) for each in wanted]
 
     def _entries(self) -> list[LogbookEntry]:

@@ -54,7 +54,7 @@ def _last_passes(names: Sequence[str], entries: Sequence[LogbookEntry]) -> dict[
 def _said(rule: Rule, **values: Any) -> Validity:  # noqa: ANN401  # the document's fields
     """Make the line of a rule, with the rule's origin."""
     if rule.source is None or rule.confidence is None:
-        raise DataError(f"rule `{rule.title}` has no source")
+        raise DataError(f"rule `{rule.title}` has no source; give it one")
     return Validity(
         rule=rule.rule, title=rule.title, source=rule.source, confidence=rule.confidence, **values
     )

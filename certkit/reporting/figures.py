@@ -70,7 +70,9 @@ def drawn(
     """Return one figure of a document as a drawing; see `figure`."""
     known = FIGURES.get(document.schema_word())
     if known is None:
-        raise UsageError(f"there are figures of results and extractions, not of a {document.noun}")
+        raise UsageError(
+            f"there are figures of results and extractions, not of a {document.noun}; name one of these"
+        )
     if what not in known:
         raise UsageError(f"unknown figure `{what}` of a {document.noun}; use {', '.join(known)}")
     entry = known[what]
@@ -82,7 +84,9 @@ def drawn(
         able = " and ".join(f"`{name}`" for name, each in known.items() if each.beside)
         raise UsageError(f"`{what}` cannot show two results; {able or 'no figure of it'} can")
     if drawing is None:
-        raise UsageError(f"the {document.noun} holds nothing to draw `{what}` from")
+        raise UsageError(
+            f"the {document.noun} holds nothing to draw `{what}` from; choose another with `--what`"
+        )
     found: Drawing = drawing
     return _stamped(found) if is_marked(document, beside) else found
 

@@ -69,6 +69,9 @@ def _signed(pdf: bytes, signer: Any, authority: Any) -> bytes:  # noqa: ANN401  
         made = signers.sign_pdf(writer, metadata, signer=signer, timestamper=authority)
     except OSError as error:
         said = " ".join(str(error).split())[:200]
-        raise RunError(f"the timestamp authority of {TIMESTAMP} does not answer: {said}") from error
+        raise RunError(
+            f"the timestamp authority of {TIMESTAMP} does not answer: {said}"
+            "; try again later, or sign without a timestamp"
+        ) from error
     signed: bytes = made.getvalue()
     return signed

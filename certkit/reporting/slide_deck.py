@@ -74,7 +74,9 @@ class SlideDeck:
         try:
             self._deck = pptx.Presentation(None if path is None else str(path))
         except Exception as error:  # python-pptx raises whatever its parts do
-            raise UsageError(f"{path}: no presentation that slides can be made on ({error})") from error
+            raise UsageError(
+                f"{path}: no presentation that slides can be made on ({error}); name a .pptx file"
+            ) from error
         if path is None:
             self._deck.slide_width, self._deck.slide_height = WIDE, HIGH
         self._own = path is None

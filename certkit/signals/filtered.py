@@ -95,7 +95,11 @@ def needs_filter(channel: Channel, words: str) -> bool:
     seen = CLASSES.get(channel.filtered)
     if seen is not None and seen < CLASSES[words]:
         raise UnusableError(
-            f"channel `{channel.name}` was already filtered with {channel.filtered}, narrower than {words}",
+            (
+                f"channel `{channel.name}` was already filtered with {channel.filtered}, narrower than "
+                f"{words}"
+                "; export it unfiltered"
+            ),
             Reason.of("channel-filtered-narrower", channel=channel.name, seen=channel.filtered, wanted=words),
         )
     return seen != CLASSES[words]

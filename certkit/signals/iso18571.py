@@ -126,6 +126,7 @@ def resampled(
         raise DataError(
             f"the curve covers {time[0] * 1e3:.6g} to {time[-1] * 1e3:.6g} ms, "
             f"not {start * 1e3:.6g} to {end * 1e3:.6g} ms"
+            "; choose an interval inside of it"
         )
     axis = start + INTERVAL * np.arange(int(np.floor((end - start) / INTERVAL + 1e-6)) + 1)
     return np.asarray(np.interp(axis, time, values), dtype=np.float64)

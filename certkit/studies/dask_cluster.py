@@ -105,7 +105,10 @@ class DaskCluster:
                 security=self._security(address),
             )
         except (OSError, TimeoutError, TypeError, ValueError, RuntimeError) as error:
-            raise UsageError(f"no Dask scheduler answers at `{self._where}`: {_line(error)}") from None
+            raise UsageError(
+                f"no Dask scheduler answers at `{self._where}`: {_line(error)}"
+                "; start it, or correct the address"
+            ) from None
         try:
             self._client.wait_for_workers(1, timeout=WORKER_SECONDS)
             self._evaluate = self._handed_out()

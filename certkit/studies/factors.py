@@ -176,7 +176,7 @@ def _uniform(parameter: StudyParameter, nominal: str | None) -> Factor:
         middle = in_unit(_known(nominal, name), unit, name)
         low, high = sorted((middle * (1 - part), middle * (1 + part)))
     if not low < high:
-        raise UsageError(f"{name}: the lowest value has to be below the highest")
+        raise UsageError(f"{name}: the lowest value has to be below the highest; exchange the two")
     return Factor(name, unit, Uniform(low, high), _number(nominal, unit))
 
 
@@ -193,7 +193,7 @@ def _levels(name: str, values: list[str | float], nominal: str | None) -> Factor
 def _unit(value: str | float, name: str) -> str:
     found = split_quantity(value)
     if found is None:
-        raise UsageError(f"{name}: `{value}` is no number with a unit")
+        raise UsageError(f"{name}: `{value}` is no number with a unit; write it like `25 mm`")
     return found[1]
 
 

@@ -114,7 +114,10 @@ def twin(
 def _told(leg: TestedLeg, sheet: Diagnosis, before: Sequence[TestedLeg], library: Sequence[Path]) -> TwinTest:
     base = next((each for each in before if each.procedure == leg.procedure), None)
     if before and base is None:
-        raise DataError(f"{leg.place}: a test of `{leg.procedure}`; the earlier one is of another procedure")
+        raise DataError(
+            f"{leg.place}: a test of `{leg.procedure}`; the earlier one is of another procedure"
+            "; name tests of one"
+        )
     model = PartModel(leg.procedure, leg.overrides, sheet, library)
     unchanged = model.curves({})
     recorded = model.at_places(leg.filtered)

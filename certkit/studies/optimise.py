@@ -252,7 +252,10 @@ class _Search:
     def optimum(self, sheet: Study) -> Optimum:
         """Choose the best of all runs."""
         if all(outcome.error for outcome in self.outcomes):
-            raise RunError(f"not a single run succeeded; the first one: {self.outcomes[0].error}")
+            raise RunError(
+                f"not a single run succeeded; the first one: {self.outcomes[0].error}"
+                "; correct the study or its definitions"
+            )
         slacks = np.array([self.slack(outcome) for outcome in self.outcomes])
         aims = np.array([self.aims(outcome) for outcome in self.outcomes]).reshape(len(slacks), -1)
         keeps = slacks >= 0

@@ -130,11 +130,15 @@ def _propagated(sheet: UncertaintyBudget, library: Sequence[Path], execution: Ex
     with Runs(trial, execution, context=trial.context) as runs:
         first, *others = runs([middle, *sides, *spread])
     if first.error:
-        raise CertkitError(f"with everything as it should be, the run fails: {first.error}")
+        raise CertkitError(
+            f"with everything as it should be, the run fails: {first.error}; correct the procedure first"
+        )
     at_sides, scattered = others[: len(sides)], others[len(sides) :]
     failed = [outcome.error for outcome in at_sides if outcome.error]
     if failed:
-        raise CertkitError(f"a run at the edge of a tolerance fails: {failed[0]}")
+        raise CertkitError(
+            f"a run at the edge of a tolerance fails: {failed[0]}; narrow it, or correct the procedure"
+        )
     chance = np.random.default_rng(sheet.seed)
     rows = [
         criterion_uncertainty(

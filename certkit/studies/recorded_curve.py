@@ -164,5 +164,5 @@ def curve_of(
 def _dimension(channel: str, table: ChannelTable) -> Dimension:
     kind = table.find(channel)
     if kind is None:
-        raise UsageError(f"no channel is called `{channel}`")
+        raise UsageError(f"no channel is called `{channel}`; `certkit show` lists the legform's")
     return kind.dimension

@@ -98,7 +98,10 @@ def study(
     if not isinstance(sheet, Study):
         raise TypeError("not a study")
     if sheet.design is None:
-        raise UsageError("only a study with a design can be carried out; an optimisation is searched")
+        raise UsageError(
+            "only a study with a design can be carried out; an optimisation is searched"
+            "; run it with `certkit study`"
+        )
     trial, factors = set_up(sheet, library)
     with Runs(trial, execution, context=trial.context) as runs:
         return replace(carry_out(sheet, factors, runs), output_units=trial.output_units())

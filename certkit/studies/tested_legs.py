@@ -53,6 +53,7 @@ def tested_legs(path: str | Path, sheet: Diagnosis, library: Sequence[Path]) -> 
         if setup.legform.legform != sheet.legform:
             raise DataError(
                 f"{place}: a test of `{setup.legform.legform}`; the diagnosis is of `{sheet.legform}`"
+                "; name tests of that legform"
             )
         recording = recording_of(result, table=setup.legform.channel_table)
         filtered = measure_all(setup.procedure, recording, lenient=True).filtered

@@ -224,3 +224,10 @@ def test_a_register_that_is_none_is_not_written_over(tmp_path: Path):
     (tmp_path / "report-numbers.csv").write_text("a;b\n1;2\n")
     with pytest.raises(DataError, match="not a register"):
         number_of(two_files(tmp_path), "pendulum a")
+
+
+def test_a_laboratory_file_in_another_encoding_is_refused_with_its_line(tmp_path: Path):
+    path = tmp_path / "lab.yaml"
+    path.write_bytes("laboratory: Prüflabor\nplace: Sampletown\n".encode("latin-1"))
+    with pytest.raises(DefinitionError, match=r"lab\.yaml:1"):
+        read_laboratory(path)

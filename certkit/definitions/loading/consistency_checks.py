@@ -137,7 +137,13 @@ def _conditions(data: dict[str, Any], fixtures: list[type[Fixture]]) -> Iterator
         owners = [kind for kind in FIXTURES if quantity in kind.conditions]
         if owners and not any(kind in fixtures for kind in owners):
             named = " or ".join(f"`{kind.name()}`" for kind in owners)
-            yield ("preconditions", index), f"`{quantity}` is a condition of {named}, which is not on the rig"
+            yield (
+                ("preconditions", index),
+                (
+                    f"`{quantity}` is a condition of {named}, which is not on the rig"
+                    "; leave it out, or add the fixture"
+                ),
+            )
 
 
 def _legform(data: dict[str, Any], library: Library) -> Legform | None:
@@ -189,7 +195,10 @@ def _criteria(criteria: Any, channels: ChannelTable) -> Iterator[Finding]:  # no
         steps: Steps = ("criteria", index)
         name = criterion.get("id")
         if isinstance(name, str) and name in seen:
-            yield (*steps, "id"), f"`{name}` is the id of a criterion already; ids are unique"
+            yield (
+                (*steps, "id"),
+                (f"`{name}` is the id of a criterion already; ids are unique; give this one another"),
+            )
         seen.add(str(name))
         yield from (((*steps, *way), said) for way, said in _criterion(criterion, channels))
 

@@ -130,5 +130,8 @@ def _score(procedure: Procedure, library: Library) -> Iterator[Fault]:
     else:
         impactor = legform_channels(procedure.specimen.legform, library).impactor
         if (known.impactor or default_channels().impactor) != impactor:
-            message = f"the set `{procedure.score}` is for the {known.impactor}, not for the {impactor}"
+            message = (
+                f"the set `{procedure.score}` is for the {known.impactor}, not for the {impactor}"
+                "; name another set, or leave `score` out"
+            )
             yield ("score",), message

@@ -72,8 +72,11 @@ def read_node_motion(path: Path) -> tuple[NodeMotion, str]:
         if time is None:
             time = table[:, 0]
         if table.shape[0] != time.size or not np.allclose(table[:, 0], time, rtol=0, atol=1e-9):
-            raise DataError(f"{path}: node `{node}` has not the same instants as the others")
+            raise DataError(
+                f"{path}: node `{node}` has not the same instants as the others"
+                "; export all nodes at the same instants"
+            )
         places.setdefault(line, {})[node] = table[:, 1:]
     if time is None or time.size < 3 or np.any(np.diff(time) <= 0):
-        raise DataError(f"{path}: too few instants, or an instant twice")
+        raise DataError(f"{path}: too few instants, or an instant twice; export it again")
     return NodeMotion(time, places), digest

@@ -114,7 +114,9 @@ MOST_STEPS, MOST_SAMPLES = 10_000_000, 1_000_000
 def _check(plan: Plan) -> None:
     wanted = f"a run of {plan.until:g} s in steps of {plan.step:g} s"
     if not (plan.step > 0 and plan.until > 0):
-        raise RunError(f"{wanted} goes nowhere; both must be positive")
+        raise RunError(
+            f"{wanted} goes nowhere; both must be positive; correct `run.until` or `run.time step`"
+        )
     if plan.until < 2 * plan.sample * plan.step:
         raise RunError(f"{wanted} is too short for two samples; give `until` more, or the step less")
     steps = max(plan.until, plan.longest) / plan.step
@@ -122,6 +124,7 @@ def _check(plan: Plan) -> None:
         raise RunError(
             f"{wanted} is too long: {steps:.3g} steps; "
             f"at most {MOST_STEPS:,} are simulated and {MOST_SAMPLES:,} kept"
+            "; shorten the run, or take a longer step"
         )
 
 

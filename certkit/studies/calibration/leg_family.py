@@ -78,6 +78,7 @@ def find_members(calibration: Calibration, runs: Runs, count: int, tell: Tell) -
     if not passes(calibration.after, procedures):
         raise RunError(
             "the fitted leg does not pass every graded criterion itself: it has no certified family"
+            "; widen the bounds, or free more parameters"
         )
     misfit = Misfit(runs, task.space, task.goals, pull=0.0)
     known = [] if wanted.starts is None else _places_of(calibration, wanted.starts)

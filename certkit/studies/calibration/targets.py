@@ -92,7 +92,10 @@ def goals_of(target: Target, setup: Setup) -> list[Goal]:
         if goal is not None:
             goals.append(goal)
         elif target.criteria:
-            raise UsageError(f"{target.procedure}/{identity}: nothing says where it should be")
+            raise UsageError(
+                f"{target.procedure}/{identity}: nothing says where it should be"
+                "; give it a value, or a corridor"
+            )
     if not goals:
         raise UsageError(f"{target.procedure}: none of its values has a place where it should be")
     return goals

@@ -43,7 +43,10 @@ def correlation_matrix(
     for first, second, coefficient in pairs:
         matrix[place[first], place[second]] = matrix[place[second], place[first]] = coefficient
     if np.linalg.eigvalsh(matrix)[0] <= 1e-9:
-        raise UsageError("the correlations contradict each other: no factors can vary together like this")
+        raise UsageError(
+            "the correlations contradict each other: no factors can vary together like this"
+            "; lower the largest of them"
+        )
     return matrix
 
 

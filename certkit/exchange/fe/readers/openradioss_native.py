@@ -266,8 +266,9 @@ def read_instants(
         for block, width in zip(blocks, widths, strict=True):
             if len(block) != 4 * width:
                 raise DataError(
-                    f"{source}: instant {len(rows) + 1} holds {len(block) // 4} values where the directory "
-                    f"announces {width}"
+                    f"{source}: instant {len(rows) + 1} holds {len(block) // 4} values where the "
+                    f"directory announces {width}"
+                    "; the file was cut or changed: copy it again"
                 )
         rows.append(b"".join(blocks))
     if not rows:
