@@ -11,9 +11,10 @@ import numpy as np
 from clock import Row, processor_seconds
 
 import certkit
+from certkit.definitions.loading.channel_tables import default_channels
 from certkit.exchange.channels_csv import write_csv
 from certkit.exchange.mme_write import write_mme
-from certkit.signals import CHANNELS, Channel, Recording
+from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -26,12 +27,13 @@ def recording(seed: int) -> Recording:
     """Return a pendulum-like test at 100 kHz with some noise."""
     chance = np.random.default_rng(seed)
     time = -0.02 + 1e-5 * np.arange(SAMPLES)
+    kinds = default_channels().kinds
     pulse = np.where((time > 0) & (time < 0.1), np.sin(np.pi * time / 0.1), 0.0)
     channels = {
         name: Channel(
             name,
-            CHANNELS[name].title,
-            CHANNELS[name].dimension,
+            kinds[name].title,
+            kinds[name].dimension,
             peak * (pulse + 1e-3 * chance.normal(size=SAMPLES)),
         )
         for name, peak in PEAKS.items()

@@ -10,8 +10,8 @@ from clock import Row, seconds_in_turn
 from weasyprint import HTML
 
 import certkit
-from certkit.reporting import render
 from certkit.reporting.result_view import view
+from certkit.reporting.writing import render
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -10,12 +10,13 @@ from support.synthetic_result import parsed
 
 from certkit.documents.result import CriterionResult, Result
 from certkit.errors import UsageError
-from certkit.reporting import figure, palette
+from certkit.reporting import palette
 from certkit.reporting.charts.channel_history import history_chart
 from certkit.reporting.charts.grid import side_by_side
 from certkit.reporting.charts.motion_frames import key_frames
 from certkit.reporting.charts.position import position_bar
 from certkit.reporting.figure_list import FIGURES
+from certkit.reporting.figures import figure
 from certkit.reporting.scales import Scale, span, thinned, ticks
 from certkit.reporting.svg import Drawing
 
