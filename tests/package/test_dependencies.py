@@ -15,7 +15,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 OURS = {"certkit", "docs", "support", "tests", *(path.stem for path in (ROOT / "benchmarks").glob("*.py"))}
 ELSEWHERE = {"pyisomme", "euroncap_rating_2026"}
-"""Pin other versions of nearly everything, so they are no extra: in an environment of its own, or not at all."""
+"""Pin other versions of nearly everything, so they are no extras; see `.ci/run`."""
 
 
 def imported(folder: str) -> set[str]:
