@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pandas as pd
 import pytest
-from support import synthetic_campaign, synthetic_result
+from support import small_documents, synthetic_campaign, synthetic_result
 from typer.testing import CliRunner
 
 from certkit.cli import app
@@ -164,6 +164,9 @@ DOCUMENTED: dict[str, OutputDocument] = {
         open_directions=[OpenDirection(spread=0.9, parts={"a": 1.0})],
     ).with_id(),
     "campaign-report": synthetic_campaign.campaign(),
+    "uncertainty-report": small_documents.UNCERTAINTY,
+    "twin": small_documents.TWIN,
+    "round-robin": small_documents.ROUND_ROBIN,
     "logbook-overview": LEG,
     "legform-certificate": worded(
         certificate_of(LEG.model_copy(update={"certified_by": ["pendulum"]}).with_id(), [], Issue())
