@@ -5,9 +5,9 @@ from __future__ import annotations
 import warnings
 from typing import TYPE_CHECKING
 
-from certkit.bench.fit_origins import fits_of, fitted_to, on_bounds
 from certkit.bench.laboratory_files import ROLE, laboratory_of
 from certkit.bench.laboratory_terms import laboratory_terms
+from certkit.bench.model_origins import fits_of, fitted_to, model_remarks
 from certkit.bench.setup import prepare, without_model
 from certkit.bench.virtual_test_terms import virtual_test_terms
 from certkit.definitions.channel_mapping import Mapping
@@ -25,7 +25,6 @@ from certkit.grading import (
     evaluate,
     measure_all,
 )
-from certkit.grading.front_limits import beyond_range
 from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
@@ -125,11 +124,10 @@ def _simulated_terms(result: Result, setup: Setup) -> SimulatedTerms:
     }
     if not simulated_here(result):
         return SimulatedTerms(quality=result.quality, numerical=numerical)
-    fits, front, vehicle = fits_of(setup), result.front, setup.vehicle
-    stretched = [] if front is None or vehicle is None else beyond_range(front, vehicle)
+    fits = fits_of(setup)
     return SimulatedTerms(
         fitted=tuple(fitted_to(setup, fits)),
-        bounds=(*on_bounds(setup, fits), *stretched),
+        bounds=model_remarks(setup, fits, result.front),
         quality=result.quality,
         numerical=numerical,
         legform=setup.legform.title,

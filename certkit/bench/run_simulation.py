@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from certkit.bench.fit_origins import fits_of, fitted_to, on_bounds
+from certkit.bench.model_origins import fits_of, fitted_to, model_remarks
 from certkit.bench.setup import Setup, prepare
 from certkit.documents.rounding import rounded_difference
 from certkit.grading import (
@@ -17,7 +17,7 @@ from certkit.grading import (
     measure_all,
     numerical_uncertainties,
 )
-from certkit.grading.front_limits import beyond_range, front_use
+from certkit.grading.front_limits import front_use
 from certkit.reasons import Reason
 from certkit.reporting.language import worded
 
@@ -87,11 +87,9 @@ def run_setup(setup: Setup, *, refine: bool = True, library: Library = ()) -> Re
         front=None if front is None or vehicle is None else front_use(front, vehicle),
     )
     fits = fits_of(setup, library)
-    stretched = [] if front is None or vehicle is None else beyond_range(front, vehicle)
-    guess = (Reason.of("model-for-what-if"),) if setup.legform.what_if else ()
     simulated = SimulatedTerms(
         fitted=tuple(fitted_to(setup, fits)),
-        bounds=(*guess, *on_bounds(setup, fits), *stretched),
+        bounds=model_remarks(setup, fits, front),
         quality=quality,
         numerical=refinement.uncertainties if refinement else {},
         legform=setup.legform.title,

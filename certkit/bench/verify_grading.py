@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from certkit._version import __version__
 from certkit.bench.compare_documents import differences
-from certkit.bench.fit_origins import fits_of
+from certkit.bench.model_origins import fits_of
 from certkit.bench.regrade import carried_setup, regrade, simulated_here
 from certkit.bench.verification import Check, fails, holds, judged, left_out, unchecked
 from certkit.errors import CertkitError

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
-from certkit.cli.study_command import Cluster, Processes, TlsCa, TlsCert, TlsKey, cluster_address
+from certkit.cli.many_runs import Cluster, Fresh, Processes, TlsCa, TlsCert, TlsKey, cluster_address
 
 Document = Annotated[str, typer.Argument(metavar="FIT.yaml", help="The fit: a file, or a shipped name.")]
 Family = Annotated[
@@ -28,9 +28,7 @@ def calibrate(
     tls_ca_file: TlsCa = None,
     tls_cert: TlsCert = None,
     tls_key: TlsKey = None,
-    fresh: Annotated[
-        bool, typer.Option("--fresh", help="Forget the runs that an earlier call has done.")
-    ] = False,
+    fresh: Fresh = False,
     force: options.Force = False,
     library: options.Libraries = None,
     as_json: options.AsJson = False,

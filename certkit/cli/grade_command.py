@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from certkit.cli import options
-from certkit.errors import CertkitError
-
-if TYPE_CHECKING:
-    from certkit.documents.result import Result
+from certkit.cli.graded_tests import GradedTests
 
 Data = Annotated[
     list[Path],
@@ -71,7 +69,7 @@ def grade(
     result is refused, unless `--force` is given; without `--out` the next free `runs/NAME-2` is taken.
     """
     from certkit.bench.grade_measurement import grade as grade_test  # noqa: PLC0415  # numpy waits
-    from certkit.bench.render_documents import check_key, render  # noqa: PLC0415  # likewise
+    from certkit.bench.render_documents import check_key  # noqa: PLC0415  # likewise
     from certkit.bench.result_folder import distinct_names  # noqa: PLC0415  # likewise
     from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
     from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
@@ -83,39 +81,22 @@ def grade(
     several = len(data) > 1
     folder = out or Path("runs")
     names = distinct_names([(path.stem, path.absolute().parent.name) for path in data])
-    results: list[Result] = []
-    failures: list[CertkitError] = []
+    tests = GradedTests(wanted, language, sign, force=force, verbose=verbose, numbered=out is None)
     with terminal.progress(len(data), quiet=quiet or as_json) as step:
         for path, name in zip(data, names, strict=True):
             step(path.name)
             place = folder / name if several or out is None else folder
-            try:
-                result = grade_test(
-                    procedure,
-                    path,
-                    laboratory=lab,
-                    mapping=mapping,
-                    lenient=lenient,
-                    library=tuple(library or ()),
-                    overrides=overrides_from(overrides or ()),
-                )
-                written = render(
-                    result,
-                    place,
-                    wanted,
-                    language=language,
-                    sign=sign,
-                    force=force,
-                    numbered=out is None,
-                    tell=terminal.tell,
-                )
-            except CertkitError as error:
-                # One damaged recording must not take the others with it.
-                failures.append(error)
-                continue
-            place = written[0].parent
-            results.append(result)
-            if verbose:
-                terminal.tell_files(written)
-    terminal.show(results, as_json=as_json, folder=folder if several or out else place)
-    raise typer.Exit(terminal.exit_code(results, permitted, failures))
+            graded = partial(
+                grade_test,
+                procedure,
+                path,
+                laboratory=lab,
+                mapping=mapping,
+                lenient=lenient,
+                library=tuple(library or ()),
+                overrides=overrides_from(overrides or ()),
+            )
+            tests.add(graded, lambda _, place=place: place)  # type: ignore[misc]  # this round's place
+    shown = folder if several or out or not tests.folders else tests.folders[0]
+    terminal.show(tests.results, as_json=as_json, folder=shown)
+    raise typer.Exit(terminal.exit_code(tests.results, permitted, tests.failures))

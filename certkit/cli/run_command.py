@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from certkit.cli import completion, options
+from certkit.cli.graded_tests import GradedTests
 from certkit.errors import CertkitError
 
 if TYPE_CHECKING:
@@ -62,7 +64,7 @@ def run(
     the channels as CSV and the result document. The exit code is the verdict's. Where that folder holds
     another result, this one goes to `runs/pendulum-2`; with `--out` it is refused, unless `--force` is given.
     """
-    from certkit.bench.render_documents import check_key, render, render_suite  # noqa: PLC0415  # numpy waits until a test is run
+    from certkit.bench.render_documents import check_key, render_suite  # noqa: PLC0415  # numpy waits until a test is run
     from certkit.bench.result_folder import distinct_names  # noqa: PLC0415  # likewise
     from certkit.bench.run_simulation import run as simulate  # noqa: PLC0415  # likewise
     from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
@@ -75,39 +77,21 @@ def run(
     names = terminal.procedures([*(named or ()), *(procedure or ())], every=every, library=library or ())
     changes = overrides_from(overrides or ())
     call = _family if family else simulate
-    results: list[Result] = []
-    folders: list[Path] = []
     used: list[tuple[str, str]] = []
-    failures: list[CertkitError] = []
+
+    def place(result: Result) -> Path:
+        used.append((result.procedure, ""))
+        return terminal.folder(out, distinct_names(used)[-1], several=len(names) > 1)
+
+    tests = GradedTests(wanted, language, sign, force=force, verbose=verbose, numbered=out is None)
     with terminal.progress(len(names), quiet=quiet or as_json) as step:
         for name in names:
             step(name)
-            try:
-                result = call(name, library=tuple(library or ()), overrides=changes)
-                used.append((result.procedure, ""))
-                target = terminal.folder(out, distinct_names(used)[-1], several=len(names) > 1)
-                written = render(
-                    result,
-                    target,
-                    wanted,
-                    language=language,
-                    sign=sign,
-                    force=force,
-                    numbered=out is None,
-                    tell=terminal.tell,
-                )
-            except CertkitError as error:
-                # One procedure that cannot be run must not take the others with it.
-                failures.append(error)
-                continue
-            results.append(result)
-            folders.append(written[0].parent)
-            if verbose:
-                terminal.tell_files(written)
-        if len(results) > 1:
+            tests.add(partial(call, name, library=tuple(library or ()), overrides=changes), place)
+        if len(tests.results) > 1:
             try:
                 render_suite(
-                    results,
+                    tests.results,
                     out or Path("runs"),
                     wanted,
                     language=language,
@@ -115,10 +99,10 @@ def run(
                     force=force or out is None,
                 )
             except CertkitError as error:
-                failures.append(error)
-    place = folders[0] if len(names) == 1 and results else out or Path("runs")
-    terminal.show(results, as_json=as_json, folder=place)
-    raise typer.Exit(terminal.exit_code(results, permitted, failures))
+                tests.failures.append(error)
+    shown = tests.folders[0] if len(names) == 1 and tests.results else out or Path("runs")
+    terminal.show(tests.results, as_json=as_json, folder=shown)
+    raise typer.Exit(terminal.exit_code(tests.results, permitted, tests.failures))
 
 
 def _family(name: str, *, library: Library, overrides: Overrides) -> Result:

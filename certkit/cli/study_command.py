@@ -3,32 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
-
-if TYPE_CHECKING:
-    from certkit.studies.dask_cluster import ClusterAddress
+from certkit.cli.many_runs import Cluster, Fresh, Processes, TlsCa, TlsCert, TlsKey, cluster_address
 
 Document = Annotated[str, typer.Argument(metavar="STUDY.yaml", help="The study: a file, or a shipped name.")]
-Processes = Annotated[
-    int | None,
-    typer.Option("--processes", min=1, help="Processes on this machine.", show_default="all cores"),
-]
-Cluster = Annotated[
-    str | None,
-    typer.Option("--cluster", metavar="ADDRESS", help="Run on the Dask cluster with this scheduler instead."),
-]
-TlsCa = Annotated[
-    Path | None,
-    typer.Option("--tls-ca-file", metavar="CA.pem", help="Authority that cluster and we trust (tls://)."),
-]
-TlsCert = Annotated[
-    Path | None, typer.Option("--tls-cert", metavar="CERT.pem", help="Our certificate for the cluster.")
-]
-TlsKey = Annotated[Path | None, typer.Option("--tls-key", metavar="KEY.pem", help="Its key.")]
 Tables = Annotated[str, typer.Option("--table", help="Tables to write: csv, json, parquet.")]
 
 
@@ -42,9 +24,7 @@ def study(
     tls_cert: TlsCert = None,
     tls_key: TlsKey = None,
     table: Tables = "csv,json",
-    fresh: Annotated[
-        bool, typer.Option("--fresh", help="Forget the runs that an earlier call has done.")
-    ] = False,
+    fresh: Fresh = False,
     force: options.Force = False,
     library: options.Libraries = None,
     as_json: options.AsJson = False,
@@ -84,25 +64,3 @@ def study(
         page = (folder / report.file_name).with_suffix(".html")
         typer.echo(f"look at {page}; the runs are in {folder / 'table.csv'}", err=True)
     raise typer.Exit(3 if (found.table["error"] != "").all() else 0)
-
-
-def cluster_address(
-    scheduler: str | None, ca_file: Path | None, cert: Path | None, key: Path | None
-) -> ClusterAddress | None:
-    """Return where the cluster is, and how we prove who we are.
-
-    Raises
-    ------
-    UsageError
-        When the options do not fit together.
-    """
-    from certkit.errors import UsageError  # noqa: PLC0415  # waits until a study is run
-    from certkit.studies.dask_cluster import ClusterAddress  # noqa: PLC0415  # likewise
-
-    if scheduler is None:
-        if ca_file or cert or key:
-            raise UsageError("TLS is for a cluster; name its scheduler with --cluster tls://HOST:PORT")
-        return None
-    address = ClusterAddress(scheduler, ca_file, cert, key)
-    address.check()
-    return address

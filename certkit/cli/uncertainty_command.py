@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
-from certkit.cli.study_command import Cluster, Processes  # noqa: TC001  # likewise
+from certkit.cli.many_runs import Cluster, Fresh, Processes  # noqa: TC001  # likewise
 
 Document = Annotated[
     str, typer.Argument(metavar="BUDGET.yaml", help="The budget: a file, or a shipped name.")
@@ -21,9 +21,7 @@ def uncertainty(
     out: options.Out = None,
     processes: Processes = None,
     cluster: Cluster = None,
-    fresh: Annotated[
-        bool, typer.Option("--fresh", help="Forget the runs that an earlier call has done.")
-    ] = False,
+    fresh: Fresh = False,
     force: options.Force = False,
     library: options.Libraries = None,
     as_json: options.AsJson = False,

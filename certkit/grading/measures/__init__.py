@@ -6,8 +6,9 @@ A new measure is a file here and one line in `certkit.definitions.measures`.
 from __future__ import annotations
 
 from functools import cache
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from certkit.named_class import named_class
 
 if TYPE_CHECKING:
     from certkit.grading.measures.measure_method import MeasureMethod
@@ -16,6 +17,5 @@ if TYPE_CHECKING:
 @cache
 def method_of(measure: str) -> MeasureMethod:
     """Return what takes a measure: the class of the file's name, as `MaxAbs` in `max_abs.py`."""
-    file = measure.replace(" ", "_")
-    method: MeasureMethod = getattr(import_module(f"{__name__}.{file}"), file.title().replace("_", ""))()
+    method: MeasureMethod = named_class(__name__, measure)()
     return method

@@ -3,9 +3,8 @@
 A new law is a new file beside the others and one line here.
 """
 
-from importlib import import_module
-
 from certkit.mechanics.force_laws.law import ForceLaw
+from certkit.named_class import named_class
 
 _FILES = (
     "joint_spring",
@@ -26,13 +25,7 @@ _FILES = (
 )
 
 
-def _law(file: str) -> type[ForceLaw]:
-    """Return the law of a file, the class of the file's name."""
-    law: type[ForceLaw] = getattr(import_module(f"{__name__}.{file}"), file.title().replace("_", ""))
-    return law
-
-
-LAWS: tuple[type[ForceLaw], ...] = tuple(_law(file) for file in _FILES)
+LAWS: tuple[type[ForceLaw], ...] = tuple(named_class(__name__, file) for file in _FILES)
 
 GRAVITY, MASS_DAMPING = len(LAWS), len(LAWS) + 1
 ENERGY_ACCOUNTS: tuple[str, ...] = (*(law.words() for law in LAWS), "gravity", "mass damping")

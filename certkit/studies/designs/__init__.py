@@ -6,8 +6,9 @@ what is read off them. A new one is a file here and one line in `certkit.definit
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from certkit.named_class import named_class
 
 if TYPE_CHECKING:
     from certkit.studies.designs.study_design import StudyDesign
@@ -15,6 +16,5 @@ if TYPE_CHECKING:
 
 def design_of(kind: str) -> StudyDesign:
     """Return the design of that kind: the class of the file's name, as `OneAtATime` in `one_at_a_time.py`."""
-    file = kind.replace(" ", "_")
-    found: StudyDesign = getattr(import_module(f"{__name__}.{file}"), file.title().replace("_", ""))()
+    found: StudyDesign = named_class(__name__, kind)()
     return found

@@ -1,4 +1,4 @@
-"""What the fits say of a model: whether one aimed at what it now meets, and values that stand on a bound."""
+"""What is to be said of a model: what it was fitted to, values on a bound, springs beyond their range."""
 
 from __future__ import annotations
 
@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING
 from certkit.definitions.loading.library import load, names
 from certkit.definitions.units import UNITS, parse_quantity
 from certkit.errors import CertkitError
+from certkit.grading.front_limits import beyond_range
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from certkit.bench.setup import Setup
     from certkit.definitions.calibration import CalibrationTask
     from certkit.definitions.loading.library import Library
+    from certkit.documents.result import Front
 
 ON_BOUND = 0.005
 """Share of the way between the bounds within which a fitted value stands on one."""
@@ -53,7 +55,23 @@ def fitted_to(setup: Setup, fits: list[CalibrationTask]) -> list[Reason]:
     return said
 
 
-def on_bounds(setup: Setup, fits: list[CalibrationTask]) -> list[Reason]:
+def model_remarks(setup: Setup, fits: list[CalibrationTask], front: Front | None) -> tuple[Reason, ...]:
+    """Return the remarks on the model that a run was made with.
+
+    Parameters
+    ----------
+    setup : Setup
+    fits : list of CalibrationTask
+        Those of the legform.
+    front : Front or None
+        What the vehicle's front did, where there was one.
+    """
+    guess = (Reason.of("model-for-what-if"),) if setup.legform.what_if else ()
+    stretched = [] if front is None or setup.vehicle is None else beyond_range(front, setup.vehicle)
+    return (*guess, *_on_bounds(setup, fits), *stretched)
+
+
+def _on_bounds(setup: Setup, fits: list[CalibrationTask]) -> list[Reason]:
     """Return a remark on the fitted values of the model that stand on a bound."""
     values = {_path(parameter.path): parameter.value for parameter in setup.parameters}
     said = []
