@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, Self
 
 import pikepdf
+import pypdfium2.raw as pdfium
 import pytest
 from support import synthetic_result
 
@@ -300,3 +301,46 @@ def test_a_report_is_called_what_it_is_in_title_and_header(kind: str, called: st
     assert shown[0].heading == called
     with pikepdf.open(io.BytesIO(certificate(shown))) as pdf:
         assert str(pdf.docinfo.Title).startswith(f"{called} ")
+
+
+def figures(element: pikepdf.Object) -> Iterator[pikepdf.Object]:
+    """Walk through the structure tree and yield its figures."""
+    if isinstance(element, pikepdf.Array):
+        for child in element:
+            yield from figures(child)
+    elif isinstance(element, pikepdf.Dictionary):
+        if element.get("/S") == "/Figure":
+            yield element
+        if "/K" in element and element.get("/Type") != "/MCR":
+            yield from figures(element.K)
+
+
+def test_every_figure_has_a_text_alternative_(made: bytes):
+    """What PDF/UA asks of the structure, read by pikepdf."""
+    with pikepdf.open(io.BytesIO(made)) as pdf:
+        found = list(figures(pdf.Root.StructTreeRoot.K))
+        assert len(found) > 10
+        assert [figure for figure in found if not str(figure.get("/Alt", ""))] == []
+
+
+def test_two_independent_readers_find_its_structure(made: bytes, tmp_path: Path):
+    """Poppler and PDFium; veraPDF is in none of the package registries."""
+    program = shutil.which("pdfinfo")
+    if program is None:
+        pytest.skip("pdfinfo (poppler-utils) is not installed")
+    path = tmp_path / "report.pdf"
+    path.write_bytes(made)
+    told = subprocess.run([program, path], check=True, capture_output=True, text=True)
+    assert re.search(r"Tagged:\s+yes", told.stdout)
+    assert re.search(r"JavaScript:\s+no", told.stdout)
+    assert told.stderr == ""
+    structure = subprocess.run([program, "-struct", path], check=True, capture_output=True, text=True)
+    assert structure.stdout.lstrip().startswith("Document")
+    document = pdfium.FPDF_LoadMemDocument(made, len(made), None)
+    page = pdfium.FPDF_LoadPage(document, 0)
+    tree = pdfium.FPDF_StructTree_GetForPage(page)
+    assert pdfium.FPDFCatalog_IsTagged(document)
+    assert pdfium.FPDF_StructTree_CountChildren(tree) > 0
+    pdfium.FPDF_StructTree_Close(tree)
+    pdfium.FPDF_ClosePage(page)
+    pdfium.FPDF_CloseDocument(document)

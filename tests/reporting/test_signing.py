@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 from support import synthetic_result
 
-from certkit.errors import InputError
+from certkit.errors import InputError, RunError
 from certkit.reporting.pdf_report import certificate
 from certkit.reporting.result_view import unique_views
 from certkit.reporting.signing import sign
@@ -65,10 +65,40 @@ def test_a_signature_is_valid_and_leaves_what_it_signs_as_it_was(
 
 def test_a_wrong_passphrase_is_said(key: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CERTKIT_PASSPHRASE", "guess")
-    with pytest.raises(InputError, match="put its passphrase into CERTKIT_PASSPHRASE"):
+    with pytest.raises(InputError, match="set CERTKIT_PASSPHRASE"):
         sign(b"", key)
 
 
 def test_a_missing_key_is_named(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"none\.p12: there is no such key file"):
         sign(b"", tmp_path / "none.p12")
+
+
+def test_a_timestamp_is_fetched_from_the_authority_that_is_named(
+    key: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from pyhanko.pdf_utils.reader import PdfFileReader  # noqa: PLC0415  # an extra
+    from pyhanko.sign import signers, timestamps  # noqa: PLC0415  # likewise
+
+    monkeypatch.setenv("CERTKIT_PASSPHRASE", "open sesame")
+    monkeypatch.setenv("CERTKIT_TIMESTAMP", "https://authority.example")
+    own = signers.SimpleSigner.load_pkcs12(str(key), passphrase=b"open sesame")
+    asked = []
+
+    def authority(address: str) -> timestamps.DummyTimeStamper:
+        asked.append(address)
+        return timestamps.DummyTimeStamper(own.signing_cert, own.signing_key)
+
+    monkeypatch.setattr(timestamps, "HTTPTimeStamper", authority)
+    signed = sign(certificate(unique_views([synthetic_result.static_result()])), key)
+    assert asked == ["https://authority.example"]
+    (embedded,) = PdfFileReader(io.BytesIO(signed)).embedded_signatures
+    told = [each["type"].native for each in embedded.signer_info["unsigned_attrs"]]
+    assert told == ["signature_time_stamp_token"]
+
+
+def test_an_authority_that_does_not_answer_is_said(key: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CERTKIT_PASSPHRASE", "open sesame")
+    monkeypatch.setenv("CERTKIT_TIMESTAMP", "http://127.0.0.1:9/")
+    with pytest.raises(RunError, match="timestamp authority of CERTKIT_TIMESTAMP does not answer"):
+        sign(certificate(unique_views([synthetic_result.static_result()])), key)
