@@ -68,7 +68,7 @@ def side_by_side(
     shared = [name for name in reference.recording.channels if name in other.recording]
     if not shared:
         raise DataError(
-            f"{reference.side.label} and {other.side.label} share no channel; are the codes or heads mapped?"
+            f"{reference.side.label} and {other.side.label} share no channel; map their codes or heads"
         )
     begin, end = _interval(reference.recording, other.recording, until)
     curves = {

@@ -13,7 +13,7 @@ from certkit.reasons import Reason, reason_of
 from certkit.signals import AssessmentInterval, Filtered, assessment_interval, condition
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from certkit.definitions.channels import ChannelTable
     from certkit.definitions.procedure import Criterion, Procedure
@@ -99,12 +99,26 @@ def measure_all(procedure: Procedure, recording: Recording, *, lenient: bool = F
     needs_interval = any(c.interval == "assessment interval" for c in procedure.criteria)
     if needs_interval:
         wanted += [(name, INTERVAL_FILTER) for name in recording.table.bone]
-    filtered = Filtered(conditioned, wanted)
+    filtered = _filtered(conditioned, wanted)
     interval = _interval(filtered) if needs_interval else NoInterval()
     window = _window(procedure, conditioned)
     values = {c.id: measure(c, filtered, window, interval) for c in procedure.criteria}
     gate = plausible(procedure, filtered, window, interval, values)
     return Measurements(procedure, recording, filtered, window, interval, gate.values, gate.remarks)
+
+
+def _filtered(recording: Recording, wanted: Sequence[tuple[str, str]]) -> Filtered:
+    """Filter the channels; what cannot be filtered is told with the file that it came from.
+
+    Raises
+    ------
+    DataError
+        When a channel is sampled too slowly, or was filtered too much already.
+    """
+    try:
+        return Filtered(recording, wanted)
+    except DataError as error:
+        raise DataError(f"{recording.source or 'recording'}: {error}") from error
 
 
 def channels_of(criterion: Criterion, table: ChannelTable) -> list[str]:

@@ -245,3 +245,10 @@ def test_two_channels_that_share_one_noise_are_one_sensor_recorded_twice():
         ("T2", "T3"), "channel-copied"
     )
     assert result.verdict == "not evaluated"
+
+
+def test_a_record_sampled_too_slowly_is_told_with_its_file():
+    record = intact()
+    slow = {n: replace(c, values=c.values[::20]) for n, c in record.channels.items()}
+    with pytest.raises(DataError, match=r"good 5: sampled at 1000 Hz.*export the channel at its full"):
+        graded(replace(record, time=record.time[::20], channels=slow))

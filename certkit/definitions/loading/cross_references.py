@@ -126,7 +126,7 @@ def _score(procedure: Procedure, library: Library) -> Iterator[Fault]:
     if isinstance(known, str):
         yield ("score",), known
     elif not known.scores:
-        yield ("score",), f"the set `{procedure.score}` has no scores"
+        yield ("score",), f"the set `{procedure.score}` has no scores; name another, or leave it out"
     else:
         impactor = legform_channels(procedure.specimen.legform, library).impactor
         if (known.impactor or default_channels().impactor) != impactor:

@@ -84,7 +84,7 @@ def read_converted(path: Path) -> Channels:
     """
     table = read_table(path)
     if "time" not in table.columns:
-        raise DataError(f"{path}: there is no column `time`; is this OpenRadioss' converted CSV?")
+        raise DataError(f"{path}: there is no column `time`; name OpenRadioss' converted CSV")
     time = table.columns["time"]
     require_time_axis(time, table.source)
     parts: Objects = {}
