@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,9 @@ MOST_PAGES = 500
 LARGEST_SIDE = 2000.0
 """Points; Letter is 792 high."""
 
+LUMINANCE = (29, 150, 77)
+"""Of blue, green and red, in 256ths."""
+
 ANNOTATIONS = {1: "note", 2: "link", 3: "free text", 13: "stamp", 17: "attachment", 20: "form field"}
 """Names of kinds of annotations by PDFium's numbers; others are called annotation."""
 
@@ -31,12 +35,16 @@ class Annotation:
 
 @dataclass(frozen=True)
 class PdfPage:
-    """One page: size in points, its words, grey values at 72 dots an inch, and what is laid over it."""
+    """One page: size in points, its words, grey values at 72 dots an inch, and what is laid over it.
+
+    The colours of all dots are kept as a digest.
+    """
 
     width: float
     height: float
     text: str
     picture: NDArray[np.uint8]
+    colours: bytes
     annotations: tuple[Annotation, ...]
 
 
@@ -75,8 +83,12 @@ def _page(page: Any, name: str) -> PdfPage:  # noqa: ANN401  # pypdfium2 has no 
     words = page.get_textpage()
     text = " ".join(words.get_text_range().split())
     words.close()
-    picture = page.render(scale=1.0, grayscale=True, draw_annots=True).to_numpy().copy()
-    found = PdfPage(width, height, text, picture[..., 0] if picture.ndim > 2 else picture, _annotations(page))
+    import numpy as np  # noqa: PLC0415  # only where a PDF is verified
+
+    dots = page.render(scale=1.0, draw_annots=True).to_numpy()[..., :3]
+    grey = (dots @ np.array(LUMINANCE, dtype=np.uint16) >> 8).astype(np.uint8)
+    colours = hashlib.sha256(dots.tobytes()).digest()
+    found = PdfPage(width, height, text, grey, colours, _annotations(page))
     page.close()
     return found
 

@@ -245,7 +245,7 @@ def _paper_checks(
     """Check the PDF as a file, its signatures, and its pages."""
     from certkit.bench.pdf_pages import pdf_pages  # noqa: PLC0415  # PDFium and WeasyPrint: only for a PDF
     from certkit.bench.verify_pages import page_checks  # noqa: PLC0415  # likewise
-    from certkit.bench.verify_pdf_file import file_checks, first_revision, update_checks  # noqa: PLC0415  # likewise
+    from certkit.bench.verify_pdf_file import file_checks, first_revision, update_checks, word_checks  # noqa: PLC0415  # likewise
     from certkit.bench.verify_signature import signature_checks, signature_count  # noqa: PLC0415  # likewise
 
     signatures = signature_count(content)
@@ -260,10 +260,12 @@ def _paper_checks(
         yield from file_checks(content, pages, signatures=signatures)
         if before is not content:
             yield from update_checks(pdf_pages(before, str(path)), pages)
-    if signatures and before is not content:
-        yield from page_checks(before, pdf_pages(before, str(path)), printed)
-    else:
-        yield from page_checks(content, pages, printed)
+    unsigned = before if signatures else content
+    if isinstance(made, bytes):
+        yield from word_checks(unsigned, made, same_engine=printed.same_engine)
+    yield from page_checks(
+        unsigned, pages if unsigned is content else pdf_pages(unsigned, str(path)), printed
+    )
 
 
 def _result(content: bytes, name: str, found: list[Check]) -> Result:

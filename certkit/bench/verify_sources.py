@@ -7,11 +7,12 @@ import re
 from typing import TYPE_CHECKING
 
 from certkit.bench.compare_documents import differences
+from certkit.bench.look_alikes import look_alike
 from certkit.bench.regrade import carried_mapping, carried_setup
 from certkit.bench.verification import Check, fails, holds, left_out, unchecked
 from certkit.bench.verify_document import of_another_certkit
 from certkit.definitions.loading.kinds import KINDS
-from certkit.definitions.loading.library import parse
+from certkit.definitions.loading.library import names, parse
 from certkit.definitions.loading.search_path import Found, is_name, shipped_shelf
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.channel_curves import raw_channels
@@ -96,9 +97,12 @@ def _definition_check(result: Result, item: InputFile, text: str) -> Iterator[Ch
     kind = KINDS[item.role]
     name = str(read_tree(text, item.path).data.get(item.role))
     shipped = shipped_shelf().find(kind, name) if is_name(name) else None
-    if shipped is None:
-        return  # of one's own, under a name of its own
     what = f"{item.role} {name}"
+    if shipped is None:  # of one's own, under a name of its own
+        other = look_alike(name, names(item.role))
+        if other is not None:
+            yield unchecked(what, "look-alike-name", name=other)
+        return
     if hashlib.sha256(shipped.data).digest() == hashlib.sha256(text.encode()).digest():
         yield holds(what, "as-shipped")
         return

@@ -59,6 +59,7 @@ VERIFICATION_WORDS: Mapping[str, str] = MappingProxyType(
         "source-unreadable": "cannot be compared: {error}",
         "channels-of-source-differ": "channel {channel} is not what the recording holds",
         "as-shipped": "as certkit ships it",
+        "look-alike-name": "not the shipped `{name}`, though its name looks like it",
         "limits-differ": "is not the shipped one of its name: {place} is {said}, shipped is {made}",
         "text-differs": "the text differs from the shipped one of its name; the numbers are the same",
         "definition-of-ones-own": "not the shipped one of its name: {place} is {said}, shipped is {made}",
@@ -73,6 +74,8 @@ VERIFICATION_WORDS: Mapping[str, str] = MappingProxyType(
         "ids-differ": "the manifest names {said}, the attached documents are {made}",
         # The PDF file.
         "bytes-appended": "{count} bytes follow its end; no program that only reads it writes there",
+        "bytes-before": "other bytes stand before its beginning",
+        "words-added": "says `{words}` outside its pages, which certkit does not write there",
         "update-appended": "was written to {count} times after it was made, without a signature over it",
         "file-structure-holds": "nothing was appended, painted over or hidden in it",
         "signature-update": "what was appended is the signature alone",

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import certkit
-from certkit.bench.verify import verify
 from certkit.files import write_whole
 from certkit.reporting.pdf_report import certificate
 from certkit.reporting.result_view import unique_views
@@ -60,7 +59,8 @@ def write_security(
 
 
 def _forgeries(tell: Callable[[str], None]) -> str:
-    from support.forgeries import DOCUMENTS, PAPERS, forged  # noqa: PLC0415  # needs pikepdf, and the tests' folder
+    from support import forgeries, further_forgeries  # noqa: PLC0415  # need pikepdf, and the tests' folder
+    from support.forgeries import forged, told_of  # noqa: PLC0415  # likewise
 
     data = ROOT / "examples" / "measured"
     measured = certkit.grade("pendulum", data / "FLX-0007-pendulum.zip", laboratory=data / "lab.yaml")
@@ -71,17 +71,19 @@ def _forgeries(tell: Callable[[str], None]) -> str:
         "simulated overridden": certkit.run("pendulum", overrides=changed, refine=False).as_written(),
         "pdf": certificate(unique_views([measured.as_written()])),
     }
+    every = [
+        *(*forgeries.DOCUMENTS, *further_forgeries.DOCUMENTS),
+        *(*forgeries.PAPERS, *further_forgeries.PAPERS),
+    ]
     rows, named = [], 0
-    for forgery in (*DOCUMENTS, *PAPERS):
+    for forgery in every:
         with tempfile.TemporaryDirectory() as folder:
-            found = verify(forged(forgery, genuine[forgery.kind], Path(folder)))
-        said = [c for c in found.checks if c.asked and not c.holds]
-        hits = [c for c in said if re.search(forgery.named, f"{c.what} {c.code}")]
-        named += bool(hits)
-        first = hits[0] if hits else None
-        told = f"{first.what}: {first.said}" if first else "nothing"
-        rows.append((forgery.name, forgery.kind, found.outcome, told))
-        tell(f"{forgery.name}: {found.outcome}")
+            outcome, told = told_of(forged(forgery, genuine[forgery.kind], Path(folder)))
+        hits = [each for each in told if re.search(forgery.named, f"{each[0]} {each[1]}")]
+        named += bool(hits) and outcome != "holds"
+        what, _, said = hits[0] if hits else ("nothing", "", "")
+        rows.append((forgery.name, forgery.kind, outcome, f"{what}: {said}".replace("<", "&lt;")))
+        tell(f"{forgery.name}: {outcome}")
     head = f"{len(rows)} forgeries tried, {named} named."
     return f"{head}\n\n" + table(
         ("forged", "certificate", "outcome", "what `certkit verify` says first"), rows

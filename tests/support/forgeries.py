@@ -14,6 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 import pikepdf
 
+from certkit.bench.verify import verify
+from certkit.errors import CertkitError
+
 if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
@@ -225,12 +228,14 @@ DOCUMENTS = [
 ]
 
 
-def _pdf(change: Callable[[pikepdf.Pdf], None]) -> Callable[[bytes], bytes]:
+def pdf(change: Callable[[pikepdf.Pdf], None]) -> Callable[[bytes], bytes]:
+    """Change a PDF with an editor that writes it anew."""
+
     def do(content: bytes) -> bytes:
         target = io.BytesIO()
-        with pikepdf.open(io.BytesIO(content)) as pdf:
-            change(pdf)
-            pdf.save(target)
+        with pikepdf.open(io.BytesIO(content)) as opened:
+            change(opened)
+            opened.save(target)
         return target.getvalue()
 
     return do
@@ -333,22 +338,22 @@ def _updated(content: bytes) -> bytes:
 PAPERS = [
     Forgery("bytes after the end", "pdf", lambda c: c + b"\n" * 9 + b"trust me", "^file.*bytes-appended"),
     Forgery("incremental update", "pdf", _updated, "^file.*update-appended"),
-    Forgery("painted over", "pdf", _pdf(_paint(b"1 g 60 660 200 60 re f")), "^pages.*page-picture"),
-    Forgery("thin line", "pdf", _pdf(_paint(b"0.9 G 60 660 m 90 660 l S")), "^pages.*page-picture"),
-    Forgery("blank page", "pdf", _pdf(_blank), "^pages.*page-blank"),
-    Forgery("foreign page", "pdf", _pdf(_foreign), "^pages.*page-count"),
-    Forgery("page left out", "pdf", _pdf(_less), "^pages.*page-count"),
-    Forgery("pages in another order", "pdf", _pdf(_swapped), "^pages.*page-text"),
-    Forgery("cut page", "pdf", _pdf(_cut), "^pages.*page-size"),
-    Forgery("stamp", "pdf", _pdf(_annotate("Stamp")), "^file.*annotation"),
-    Forgery("square", "pdf", _pdf(_annotate("Square")), "^file.*annotation"),
-    Forgery("form field", "pdf", _pdf(_field), "^file.*form-field"),
-    Forgery("script", "pdf", _pdf(_script), "^file.*active-content"),
-    Forgery("layer", "pdf", _pdf(_layer), "^file.*active-content"),
-    Forgery("attachment added", "pdf", _pdf(_attachment("note.txt", b"trust me")), "attached-not-listed"),
-    Forgery("attachment left out", "pdf", _pdf(_attachment("channels.csv", None)), "listed-not-attached"),
-    Forgery("attachment changed", "pdf", _pdf(_attachment("lab.yaml", b"x")), "attached-not-listed"),
-    Forgery("written by another program", "pdf", _pdf(lambda _: None), "^pages.*pages-rewritten"),
+    Forgery("painted over", "pdf", pdf(_paint(b"1 g 60 660 200 60 re f")), "^pages.*page-picture"),
+    Forgery("thin line", "pdf", pdf(_paint(b"0.9 G 60 660 m 90 660 l S")), "^pages.*page-picture"),
+    Forgery("blank page", "pdf", pdf(_blank), "^pages.*page-blank"),
+    Forgery("foreign page", "pdf", pdf(_foreign), "^pages.*page-count"),
+    Forgery("page left out", "pdf", pdf(_less), "^pages.*page-count"),
+    Forgery("pages in another order", "pdf", pdf(_swapped), "^pages.*page-text"),
+    Forgery("cut page", "pdf", pdf(_cut), "^pages.*page-size"),
+    Forgery("stamp", "pdf", pdf(_annotate("Stamp")), "^file.*annotation"),
+    Forgery("square", "pdf", pdf(_annotate("Square")), "^file.*annotation"),
+    Forgery("form field", "pdf", pdf(_field), "^file.*form-field"),
+    Forgery("script", "pdf", pdf(_script), "^file.*active-content"),
+    Forgery("layer", "pdf", pdf(_layer), "^file.*active-content"),
+    Forgery("attachment added", "pdf", pdf(_attachment("note.txt", b"trust me")), "attached-not-listed"),
+    Forgery("attachment left out", "pdf", pdf(_attachment("channels.csv", None)), "listed-not-attached"),
+    Forgery("attachment changed", "pdf", pdf(_attachment("lab.yaml", b"x")), "attached-not-listed"),
+    Forgery("written by another program", "pdf", pdf(lambda _: None), "^pages.*pages-rewritten"),
 ]
 
 
@@ -356,5 +361,15 @@ def forged(forgery: Forgery, genuine: Result | bytes, folder: Path) -> Path:
     """Write a forged certificate; return its file."""
     made = forgery.do(genuine)
     path = folder / ("report.pdf" if forgery.kind == "pdf" else "result.json")
-    path.write_bytes(made if forgery.kind == "pdf" else made.to_json().encode())
+    text = made if isinstance(made, str | bytes) else made.to_json()
+    path.write_bytes(text.encode() if isinstance(text, str) else text)
     return path
+
+
+def told_of(path: Path) -> tuple[str, list[tuple[str, str, str]]]:
+    """Return what `verify` comes to; of each check that does not hold its name, code and words."""
+    try:
+        found = verify(path)
+    except CertkitError as error:
+        return "refused", [("refused", "", str(error).replace(str(path), path.name))]
+    return found.outcome, [(c.what, c.code, c.said) for c in found.checks if c.asked and not c.holds]
