@@ -26,7 +26,8 @@ _LETTERS = {
     b"\r\n": b"",
     b"\r": b"",
 }
-_WRITERS_OWN = re.compile(rb"/(?:Producer|CreationDate|ModDate|ID)\s*(?=[\[(<])")
+_WRITERS_OWN = re.compile(rb"/(?:Producer|CreationDate|ModDate)\s*$")
+_IDENTIFIER = re.compile(rb"/ID\s*\[\s*(?:(?:<[^>]*>|\((?:\\.|[^\\)])*\))\s*){2}\]", re.DOTALL)
 """What every program that writes a file puts there by itself."""
 
 _XML_OWN = re.compile(
@@ -71,13 +72,14 @@ def _parts(content: bytes) -> Iterator[tuple[bytes, bool]]:
             unpacked = _inflated(data, room) if b"/FlateDecode" in tail else data
             room -= len(unpacked)
             yield unpacked, metadata
-        place = end
+        place = end + len(b"endstream")
     yield content[place:], False
 
 
 def _strings(part: bytes) -> Iterator[bytes]:
     """Yield the strings of some dictionaries, as they are written between their marks."""
-    place, own = 0, 0
+    part = _IDENTIFIER.sub(b"", part)
+    place = 0
     for match in _BEGIN.finditer(part):
         if match.start() < place or match[0] == b"<<":
             continue
@@ -89,11 +91,8 @@ def _strings(part: bytes) -> Iterator[bytes]:
         else:
             place = _end(part, match.end())
             string = _ESCAPED.sub(_unescaped, part[match.end() : place - 1])
-        before = part[max(own, match.start() - 40) : match.start()]
-        if _WRITERS_OWN.search(before):
-            continue  # with the second string of an identifier
-        own = place
-        yield string
+        if not _WRITERS_OWN.search(part[max(0, match.start() - 40) : match.start()]):
+            yield string
 
 
 def _end(part: bytes, place: int) -> int:

@@ -66,6 +66,14 @@ def test_the_genuine_ones_hold(genuine: dict[str, Result | bytes], kind: str, tm
     assert found.holds, [(c.what, c.code, c.said) for c in found.checks if not c.holds]
 
 
+def test_a_pdf_that_another_program_wrote_again_is_not_called_forged(
+    genuine: dict[str, Result | bytes], tmp_path: Path
+):
+    again = next(each for each in EVERY if each.name == "written by another program")
+    outcome, told = told_of(forged(again, genuine["pdf"], tmp_path))
+    assert (outcome, [code for _, code, _ in told]) == ("not checked", ["pages-rewritten"])
+
+
 @pytest.mark.parametrize("forgery", EVERY, ids=lambda forgery: forgery.name)
 def test_a_forgery_is_named(genuine: dict[str, Result | bytes], forgery: Forgery, tmp_path: Path):
     outcome, told = told_of(forged(forgery, genuine[forgery.kind], tmp_path))
