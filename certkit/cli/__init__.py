@@ -38,6 +38,7 @@ from certkit.cli import (
     verify_command,
 )
 from certkit.cli.output_streams import end_streams, guard_streams
+from certkit.cli.value_words import WordedCommand
 from certkit.errors import CertkitError, LeftOutWarning, OldFormWarning, UsageError
 
 app = typer.Typer(
@@ -82,6 +83,11 @@ app.command("list", rich_help_panel=DEFINITIONS)(list_command.list_)
 app.command("show", rich_help_panel=DEFINITIONS)(show_command.show)
 app.command("validate", rich_help_panel=DEFINITIONS)(validate_command.validate)
 app.command("schema", rich_help_panel=DEFINITIONS)(schema_command.schema)
+
+
+for _group in (app, history_command.app):
+    for _info in _group.registered_commands:
+        _info.cls = WordedCommand
 
 
 def _version(*, wanted: bool) -> None:

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from typer import Context  # noqa: TC002  # typer reads the annotations
+
+SPECIMENS = ("legform", "vehicle")
+"""What `--set` exchanges as a whole, by a name."""
+
 
 def kinds(incomplete: str) -> list[str]:
     """Offer the kinds of definition."""
@@ -31,3 +36,37 @@ def definitions(incomplete: str) -> list[str]:
 
     found = {name for kind in KINDS.values() if kind.folder for name in names(kind.word)}
     return sorted(name for name in found if name.startswith(incomplete))
+
+
+def settings(ctx: Context, incomplete: str) -> list[str]:
+    """Offer what `--set` can change in the procedure on the line; behind a `=`, the names that fit."""
+    from certkit.definitions.loading.library import names  # noqa: PLC0415  # as above
+    from certkit.errors import CertkitError  # noqa: PLC0415  # as above
+
+    path, sign, begun = incomplete.partition("=")
+    if sign:
+        known = names(path) if path in SPECIMENS else []
+        return [f"{path}={name}" for name in known if name.startswith(begun)]
+    try:
+        found = [*(f"{kind}=" for kind in SPECIMENS), *_paths(_procedure(ctx))]
+    except CertkitError:
+        found = []  # the command will say what is wrong with the procedure
+    return [path for path in found if path.startswith(incomplete)]
+
+
+def _procedure(ctx: Context) -> str:
+    """Return the first procedure that the line names so far, else one that shows what there is."""
+    said = [*(ctx.params.get("named") or ()), *(ctx.params.get("procedure") or ())]
+    return next((name for name in said if isinstance(name, str) and name), "pendulum")
+
+
+def _paths(procedure: str) -> list[str]:
+    """Return the paths of all numbers of a procedure and of what it names, each with a `=`."""
+    from certkit.definitions.loading.library import load  # noqa: PLC0415  # as above
+    from certkit.definitions.loading.parameter_list import parameters  # noqa: PLC0415  # as above
+
+    document = load("procedure", procedure).document
+    sheets = [("", document), ("legform.", load("legform", document.specimen.legform).document)]
+    if document.vehicle is not None:
+        sheets.append(("vehicle.", load("vehicle", document.vehicle).document))
+    return [f"{prefix}{entry.path}=" for prefix, sheet in sheets for entry in parameters(sheet)]

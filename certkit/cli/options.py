@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from certkit.cli import completion
 from certkit.reporting.language_list import languages
 from certkit.reporting.report_format import FORMATS
 
@@ -24,6 +25,7 @@ Overrides = Annotated[
         "--set",
         metavar="PATH=VALUE",
         help="Change a value for this run, e.g. 'rig.ram.speed=11.3 m/s' or 'legform=my-leg'. Repeatable.",
+        autocompletion=completion.settings,
     ),
 ]
 Libraries = Annotated[
