@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from typer.core import TyperCommand
-
-if TYPE_CHECKING:
-    from typer import Context
 
 WORDS = {"--out": "FOLDER", "--format": "LIST", "--table": "LIST"}
 """Values that are not called after their option."""
@@ -21,14 +18,14 @@ def value_word(parameter: Any) -> str:  # noqa: ANN401  # typer names its classe
         return ""
     if getattr(parameter, "min", None) is not None:
         return "N"
-    longest = max(parameter.opts, key=len)
+    longest: str = max(parameter.opts, key=len)
     return WORDS.get(longest, longest.strip("-").upper().replace("-", " "))
 
 
 class WordedCommand(TyperCommand):
     """A command whose help has words where typer writes the names of Python's types."""
 
-    def get_params(self, ctx: Context) -> list[Any]:
+    def get_params(self, ctx: Any) -> list[Any]:  # noqa: ANN401  # likewise, of contexts
         """Return the parameters, each with the word for its value."""
         found: list[Any] = list(super().get_params(ctx))
         for parameter in found:
