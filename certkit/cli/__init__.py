@@ -38,11 +38,12 @@ from certkit.cli import (
     verify_command,
 )
 from certkit.cli.output_streams import end_streams, guard_streams
-from certkit.cli.value_words import WordedCommand
+from certkit.cli.value_words import WordedCommand, WordedGroup
 from certkit.errors import CertkitError, LeftOutWarning, OldFormWarning, UsageError
 
 app = typer.Typer(
     name="certkit",
+    cls=WordedGroup,
     no_args_is_help=True,
     rich_markup_mode="markdown",
     pretty_exceptions_enable=False,
@@ -71,7 +72,7 @@ app.command("report", rich_help_panel=TESTS)(report_command.report)
 app.command("figure", rich_help_panel=TESTS)(figure_command.figure)
 app.command("export", rich_help_panel=TESTS)(export_command.export)
 app.command("verify", rich_help_panel=TESTS)(verify_command.verify)
-app.add_typer(history_command.app, name="history", rich_help_panel=TESTS)
+app.add_typer(history_command.app, name="history", cls=WordedGroup, rich_help_panel=TESTS)
 app.command("roundrobin", rich_help_panel=TESTS)(roundrobin_command.roundrobin)
 app.command("extract", rich_help_panel=MODELS)(extract_command.extract)
 app.command("calibrate", rich_help_panel=MODELS)(calibrate_command.calibrate)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from typer.core import TyperCommand
+from typer.core import TyperCommand, TyperGroup
 
 WORDS = {"--out": "FOLDER", "--format": "LIST", "--table": "LIST"}
 """Values that are not called after their option."""
@@ -22,12 +22,12 @@ def value_word(parameter: Any) -> str:  # noqa: ANN401  # typer names its classe
     return WORDS.get(longest, longest.strip("-").upper().replace("-", " "))
 
 
-class WordedCommand(TyperCommand):
-    """A command whose help has words where typer writes the names of Python's types."""
+class WordedHelp:
+    """Lets help have words where typer writes the names of Python's types."""
 
-    def get_params(self, ctx: Any) -> list[Any]:  # noqa: ANN401  # likewise, of contexts
+    def get_params(self, ctx: Any) -> list[Any]:  # noqa: ANN401  # as above, of contexts
         """Return the parameters, each with the word for its value."""
-        found: list[Any] = list(super().get_params(ctx))
+        found: list[Any] = list(super().get_params(ctx))  # type: ignore[misc]  # of the class it is mixed into
         for parameter in found:
             word = value_word(parameter)
             if parameter.param_type_name == "argument":
@@ -35,3 +35,11 @@ class WordedCommand(TyperCommand):
             elif parameter.metavar is None:
                 parameter.metavar = word
         return found
+
+
+class WordedCommand(WordedHelp, TyperCommand):
+    """A command whose help has words."""
+
+
+class WordedGroup(WordedHelp, TyperGroup):
+    """A group of commands whose help has words."""
