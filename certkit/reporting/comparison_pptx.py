@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.reporting.number_format import fixed
+from certkit.reporting.number_format import corridor, fixed
 from certkit.reporting.slide_deck import SlideDeck
 
 if TYPE_CHECKING:
@@ -31,6 +31,13 @@ def comparison_pptx(document: ComparisonDocument) -> bytes:
     ]
     heads = ("channel", "corridor", "phase", "magnitude", "slope", "overall", "grade")
     deck.table("ISO/TS 18571 ratings", heads, ratings)
+    if document.checks:
+        checks: list[list[Cell]] = [
+            [c.title, c.channel, c.value, corridor(c.lower, c.upper), c.unit, c.verdict]
+            for c in document.checks
+        ]
+        asked = ("asked for", "channel", "value", "limits", "unit", "verdict")
+        deck.table(document.rule or "What is asked for", asked, checks)
     if document.rows:
         names = [row.channel for row in document.rows]
         values = {

@@ -14,18 +14,28 @@ if TYPE_CHECKING:
 def comparison_xlsx(document: ComparisonDocument) -> bytes:
     """Return the workbook."""
     book = SheetBook(document.title, document)
-    heads = ("channel", "title", "corridor", "phase", "magnitude", "slope", "overall", "grade", "remark")
+    heads = "channel,title,corridor,phase,magnitude,slope,overall,grade,causes,remark"
     rows: list[list[Cell]] = [
-        [*(r.channel, r.title, r.corridor, r.phase, r.magnitude, r.slope, r.overall, r.grade, r.reason)]
+        [
+            *(r.channel, r.title, r.corridor, r.phase, r.magnitude, r.slope, r.overall),
+            *(r.grade, "; ".join(r.causes), r.reason),
+        ]
         for r in document.ratings
     ]
     above = [document.title, f"Reference: {document.reference.label}; compared: {document.other.label}"]
     if document.rating is not None:
         above.append(f"Mean ISO/TS 18571 rating {document.rating:.3f}, {document.grade}")
-    place = book.table("Ratings", heads, rows, above=[*above, *document.notes])
+    place = book.table("Ratings", heads.split(","), rows, above=[*above, *document.notes])
     if rows:
         below = place.head + place.count + 2
         book.chart("column", "Overall rating", place, [6], titles=("", "ISO/TS 18571"), at=(below, 0))
+    if document.checks:
+        asked = "asked for,channel,value,lower,upper,unit,verdict,remark"
+        checks: list[list[Cell]] = [
+            [c.title, c.channel, c.value, c.lower, c.upper, c.unit, c.verdict, c.reason]
+            for c in document.checks
+        ]
+        book.table("Rule", asked.split(","), checks, above=[document.rule])
     if document.rows:
         errors = [(r.channel, r.unit, r.test, r.simulation, r.error_percent) for r in document.rows]
         said = (document.reference.label, document.other.label)

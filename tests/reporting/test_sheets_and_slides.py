@@ -15,7 +15,7 @@ import pytest
 from support import synthetic_result
 from support.synthetic_campaign import campaign, point, source, terms
 
-from certkit.documents.comparison import ChannelRating, ComparisonDocument, Overlay, Side
+from certkit.documents.comparison import AgreementCheck, ChannelRating, ComparisonDocument, Overlay, Side
 from certkit.errors import LeftOutWarning, UsageError
 from certkit.grading.judge_car import judge_car
 from certkit.reporting.campaign_pptx import campaign_pptx
@@ -49,6 +49,8 @@ def comparison() -> ComparisonDocument:
         other=Side(label="b", kind="simulated"),
         interval=(0.0, 0.1),
         ratings=[ChannelRating(channel="T1", title="tibia moment 1", overall=1 / 3)],
+        rule="ours",
+        checks=[AgreementCheck(kind="rating", title="ISO/TS 18571", value=1 / 3, lower=0.58, verdict="fail")],
         overlays=[
             Overlay(
                 channel="T1",
