@@ -12,6 +12,7 @@ from certkit._version import __version__
 from certkit.bench.campaign_pages import write_campaign
 from certkit.bench.campaign_schemes import campaign_schemes
 from certkit.bench.point_sources import CampaignFiles, load_point_source
+from certkit.bench.result_folder import distinct_names
 from certkit.bench.setup import PACKAGES
 from certkit.definitions.campaign import RANK
 from certkit.definitions.loading.library import load, shelves
@@ -99,9 +100,10 @@ def assess(
     files = CampaignFiles(sheet, path.parent, shelf, terms[0].scheme.impactor, unverified)
     points, read = [], []
     results: dict[str, Result] = {}
-    for point in sheet.points:
+    folders = distinct_names([(_plain(point.point), "") for point in sheet.points])
+    for point, folder in zip(sheet.points, folders, strict=True):
         step(point.point)
-        report, sources = _point(point, sheet, files)
+        report, sources = _point(point, folder, sheet, files)
         points.append(report)
         read += [item for each in sources for item in each.inputs]
         results |= {s.report.folder: s.result for s in sources if s.result is not None}
@@ -134,7 +136,7 @@ def assess(
 
 
 def _point(
-    point: ImpactPoint, sheet: Campaign, files: CampaignFiles
+    point: ImpactPoint, name: str, sheet: Campaign, files: CampaignFiles
 ) -> tuple[PointReport, list[LoadedSource]]:
     later = next((each for each in sheet.replace if each.point == point.point), None)
     given: list[tuple[PointSource, bool]] = [(source, later is not None) for source in point.sources]
@@ -146,7 +148,7 @@ def _point(
     for number, (each, replaced) in enumerate(loaded, 1):
         decides = not replaced and each.report.kind == decisive and decisive not in taken
         taken |= {each.report.kind} if decides else set()
-        folder = f"points/{_plain(point.point)}-{number}-{each.report.kind.replace(' ', '-')}"
+        folder = f"points/{name}-{number}-{each.report.kind.replace(' ', '-')}"
         update = {"decides": decides, "replaced": replaced, "folder": folder if each.result else ""}
         sources.append(_updated(each, each.report.model_copy(update=update)))
     report = PointReport(

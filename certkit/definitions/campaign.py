@@ -64,6 +64,11 @@ class PointSource(Document):
             for name, text in (self.predicted or {}).items()
             if not set(dimensions(text)) - {"ratio", "count"}
         ]
+        faults += [
+            (("predicted", name), f"`{text}` is negative; limits are held against sizes")
+            for name, text in (self.predicted or {}).items()
+            if text.lstrip().startswith("-")
+        ]
         if self.set and self.lumped is None:
             faults.append(
                 (

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from certkit.documents.campaign_report import JudgedScheme
 from certkit.documents.verdicts import worst
+from certkit.errors import UsageError
 from certkit.grading.judge_point import judge_point, nothing_known
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def judge_car(terms: SchemeTerms, points: Sequence[PointReport], *, symmetric: b
 
 
 def _filled(terms: SchemeTerms, points: Sequence[PointReport], *, symmetric: bool) -> list[JudgedPoint]:
-    own = {point.name: judge_point(terms, point) for point in points}
+    own = {point.name: _judged(terms, point) for point in points}
     rule = terms.scheme.untested
     known: dict[str, JudgedPoint] = {name: row for name, row in own.items() if row is not None}
     if rule is not None and rule.mirrored and symmetric:
@@ -67,6 +68,13 @@ def _filled(terms: SchemeTerms, points: Sequence[PointReport], *, symmetric: boo
         known |= _from_neighbours(terms, points, dict(known), largest=rule.neighbours == "largest values")
     reason = "no source, and the scheme has no rule by which another point stands for it"
     return [known.get(p.name) or nothing_known(terms, p.name, reason) for p in points]
+
+
+def _judged(terms: SchemeTerms, point: PointReport) -> JudgedPoint | None:
+    try:
+        return judge_point(terms, point)
+    except UsageError as error:
+        raise UsageError(f"point {point.name}: {error}") from error
 
 
 def _from_neighbours(

@@ -174,6 +174,7 @@ def test_what_does_not_fit_together_is_refused(
         (point("a", 0) + point("a", 100), "`a` is a point already"),
         (point("a", 700), "lies outside the test area"),
         (point("a", 0, "{T1: 200}"), "`200` is not a number with a unit"),
+        (point("a", 0, "{T1: -200 N·m}"), "`-200 N·m` is negative"),
         (
             "  - {point: a, across: 0 mm, sources: [{measured: x, predicted: {T1: 1 N·m}}]}\n",
             "a source is one of",
@@ -196,6 +197,17 @@ def test_a_source_that_is_not_what_it_is_called_is_refused_with_its_point(tmp_pa
     text += "  - {point: b, across: 100 mm, sources: [{measured: run.json}]}\n"
     with pytest.raises(DataError, match=r"point b: .*holds a virtual certification"):
         certkit.campaign(written(tmp_path, text))
+
+
+def test_points_whose_names_look_alike_keep_their_results_apart(tmp_path: Path):
+    synthetic_result.result(kind="test evaluation").write(tmp_path / "test.json")
+    text = HEAD + "schemes: [r127]\npoints:\n"
+    for number, name in enumerate(("a/b", "A b", "../..", "a_b")):
+        text += f"  - {{point: {name!r}, across: {number} mm, sources: [{{measured: test.json}}]}}\n"
+    document = certkit.campaign(written(tmp_path, text), tmp_path / "out", "none")
+    folders = [each.sources[0].folder for each in document.points]
+    assert len({folder.casefold() for folder in folders}) == 4
+    assert all((tmp_path / "out" / folder / "result.json").is_file() for folder in folders)
 
 
 def test_a_simulated_point_is_judged_by_its_run(tmp_path: Path):
