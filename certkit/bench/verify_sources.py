@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import math
 import re
 from typing import TYPE_CHECKING
 
@@ -20,10 +21,11 @@ from certkit.errors import CertkitError
 from certkit.exchange.read import read_recording
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
     from pathlib import Path
 
     from certkit.documents.result import InputFile, Result
+    from certkit.exchange.conditions import Told
     from certkit.signals import Recording
 
 WORDS = re.compile(r"(^|\.)(origin|source|confidence|note|notes|title|clause|method)(\.|$)")
@@ -67,6 +69,7 @@ def source_checks(result: Result, data: Sequence[Path]) -> Iterator[Check]:
             yield fails(what, "source-differs", name=min(foreign))
             continue
         yield from _channel_checks(what, result, read.recording)
+        yield from _told_checks(what, result, read.told)
     missing = sorted(path for sha256, path in recorded.items() if sha256 not in seen)
     if missing:
         yield unchecked("recording", "source-missing", names=", ".join(missing[:3]))
@@ -80,6 +83,14 @@ def _channel_checks(what: str, result: Result, recording: Recording) -> Iterator
             yield fails(what, "channels-of-source-differ", channel=name)
             return
     yield holds(what, "source-same")
+
+
+def _told_checks(what: str, result: Result, told: Mapping[str, Told]) -> Iterator[Check]:
+    """Compare what the files tell of the test's conditions with what the certificate says they told."""
+    for word, item in told.items():
+        said = result.conditions.get(word)
+        if said is not None and not math.isclose(said, item.value, rel_tol=1e-6, abs_tol=1e-12):
+            yield fails(what, "condition-of-source-differs", condition=word, said=said, made=item.value)
 
 
 def definition_checks(result: Result) -> Iterator[Check]:

@@ -57,6 +57,7 @@ VERIFICATION_WORDS: Mapping[str, str] = MappingProxyType(
         "source-missing": "not among the data: {names}",
         "sources-not-given": "name the recording behind the certificate to compare it with its hashes",
         "source-unreadable": "cannot be compared: {error}",
+        "condition-of-source-differs": "{condition} is {said}; its files tell {made} (SI)",
         "channels-of-source-differ": "channel {channel} is not what the recording holds",
         "as-shipped": "as certkit ships it",
         "look-alike-name": "not the shipped `{name}`, though its name looks like it",

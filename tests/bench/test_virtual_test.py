@@ -145,6 +145,21 @@ def test_the_certificate_is_verified_from_itself_and_from_the_run(
     assert [check.what for check in checks.checks if check.outcome == "does not hold"] == []
 
 
+def test_a_quality_that_the_run_does_not_have_is_found_beside_it(
+    results: dict[str, certkit.Result], tmp_path: Path
+):
+    told = results["table"]
+    better = {**told.conditions, "energy ratio": 1.0}
+    rows_ = [
+        r.model_copy(update={"value": 100.0}) if r.quantity == "energy ratio" else r
+        for r in told.preconditions
+    ]
+    forged = told.model_copy(update={"conditions": better, "preconditions": rows_}).with_id()
+    path = tmp_path / "result.json"
+    path.write_text(forged.to_json(), "utf-8")
+    assert certkit.verify(path, data=[RUNS / "table"]).outcome == "does not hold"
+
+
 def test_as_iso_mme_it_is_a_virtual_test_still_and_keeps_its_quality(
     results: dict[str, certkit.Result], tmp_path: Path
 ):
