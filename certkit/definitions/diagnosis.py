@@ -7,6 +7,7 @@ from typing import Annotated, Self
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Document
+from certkit.definitions.provenance import Confidence
 
 
 class SuspectPart(Document):
@@ -42,6 +43,8 @@ class Diagnosis(Document):
     diagnosis: Annotated[str, Field(description="Its name.")]
     title: str
     legform: str
+    source: Annotated[str, Field(description="Where the usual amounts and the remedies are from.")]
+    confidence: Confidence = "estimated"
     parts: Annotated[list[SuspectPart], Field(min_length=2, max_length=50)]
     conditions: Annotated[
         dict[str, str],
