@@ -21,6 +21,9 @@ MOMENTS = "".join(f" --channel {gauge}" for gauge in ("F1", "F2", "F3", "T1", "T
 FIGURES = {
     "corridors": "certkit figure suite/pendulum/result.json --what corridor",
     "frames": "certkit figure suite/pendulum/result.json --what frames",
+    "rig-pendulum": "certkit figure suite/pendulum/result.json --what rig",
+    "rig-inverse": "certkit figure suite/inverse/result.json --what rig",
+    "rig-static-knee": "certkit figure suite/static-knee/result.json --what rig",
     "energy": "certkit figure suite/pendulum/result.json --what energy",
     "fig-07-femur": "certkit figure suite/static-femur/result.json --what curve",
     "fig-07-tibia": "certkit figure suite/static-tibia/result.json --what curve",

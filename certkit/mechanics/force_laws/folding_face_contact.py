@@ -2,7 +2,8 @@
 
 A face is a line of points. Each point's place (x, z) is tabulated over its group's displacement (m), from
 finite elements; strips lie between the points and move with their group and on its outline. So the place
-where the leg presses wanders over a group, and from group to group, as the face folds. Force on a strip as in
+where the leg presses wanders over a group, and from group to group, as the face folds. Where a fold lies over
+another strip, or a flange behind the face, only the one in front is met. Force on a strip as in
 `face_contact`.
 
 What the outline's own change takes up, contact force times the strip's movement against its group, is counted
@@ -28,11 +29,33 @@ if TYPE_CHECKING:
 
 
 @compiled
-def _place(strip: FoldingFaceContact, now: Instant, moved: float) -> None:
-    """Write down where the strip stands against its group, and how high it is."""
-    strip.x = on_path(now.curves, strip, 0, moved, strip.largest)
-    strip.z = on_path(now.curves, strip, 1, moved, strip.largest)
-    strip.height = max(on_path(now.curves, strip, 2, moved, strip.largest), 0.0)
+def _place(strip: FoldingFaceContact, now: Instant) -> None:
+    """Write down where the strip stands now, how high it is, and what of that is its own change."""
+    moved = now.pose[strip.group].x - strip.rest
+    strip.largest = max(strip.largest, moved)
+    x = on_path(now.curves, strip, 0, moved, strip.largest)
+    z = on_path(now.curves, strip, 1, moved, strip.largest)
+    strip.shift, strip.climb = x - strip.x, z - strip.z
+    strip.x, strip.z = x, z
+    strip.face = moved + x
+    strip.whole = max(on_path(now.curves, strip, 2, moved, strip.largest), 0.0)
+
+
+@compiled
+def _show(strips: Rows[FoldingFaceContact], i: int) -> None:
+    """Write down how much of the strip's height no other strip stands in front of."""
+    strip = strips[i]
+    low, high = strip.z - 0.5 * strip.whole, strip.z + 0.5 * strip.whole
+    hidden = 0.0
+    for k in range(len(strips)):
+        other = strips[k]
+        before = other.face < strip.face or (other.face == strip.face and k < i)
+        if k != i and before:
+            top = min(high, other.z + 0.5 * other.whole)
+            hidden += max(top - max(low, other.z - 0.5 * other.whole), 0.0)
+    seen = max(strip.whole - hidden, 0.0)
+    strip.growth = seen - strip.height
+    strip.height = seen
 
 
 @dataclass(kw_only=True)
@@ -56,8 +79,12 @@ class FoldingFaceContact(ForceLaw):
         d (m) and F (N) now.
     largest : State
         Largest displacement of the group so far, m.
-    x, z, height : State
-        The strip's place against its group and its height now, m.
+    x, z : State
+        The strip's place against its group now, m.
+    face, whole, height : State
+        Where it stands, how high it is, and how much of that no other strip stands in front of, m.
+    shift, climb, growth : State
+        How much x, z and height have changed with the outline since the step before, m.
     """
 
     group: Body
@@ -78,22 +105,27 @@ class FoldingFaceContact(ForceLaw):
     largest: State = 0.0
     x: State = 0.0
     z: State = 0.0
+    face: State = 0.0
+    whole: State = 0.0
     height: State = 0.0
+    shift: State = 0.0
+    climb: State = 0.0
+    growth: State = 0.0
 
     @staticmethod
     @compiled
     def forces(strips: Rows[FoldingFaceContact], now: Instant, load: Rows[Load], totals: Totals) -> None:
         """Add the contact of leg and folding faces."""
+        for i in range(len(strips)):
+            _place(strips[i], now)
+        for i in range(len(strips)):
+            _show(strips, i)
         piece = 0
         above = math.inf
         for i in range(len(strips)):
             strip = strips[i]
-            moved = now.pose[strip.group].x - strip.rest
-            strip.largest = max(strip.largest, moved)
-            shift, climb, growth = strip.x, strip.z, strip.height
-            _place(strip, now, moved)
-            x, z, height = strip.x, strip.z, strip.height
-            shift, climb, growth = x - shift, z - climb, height - growth
+            z, height = strip.z, strip.height
+            shift, climb, growth = strip.shift, strip.climb, strip.growth
             before = strip.force
             strip.depth = 0.0
             strip.force = 0.0
@@ -110,7 +142,7 @@ class FoldingFaceContact(ForceLaw):
                 load,
                 totals,
                 piece,
-                moved + x,
+                strip.face,
                 z,
                 now.velocity[strip.group].x + shift / now.step,
                 climb / now.step,

@@ -80,27 +80,31 @@ def test_a_sheet_law_repeats_a_force_that_is_no_function_of_the_shortening() -> 
     assert all(np.ptp(forces) > 300 for forces in meets)  # one shortening, many forces
 
 
-def struck(shift: float) -> Trajectory:
-    """Throw an upright body with flesh at a face on a mass; its outline shifts as it is pushed in."""
+def struck(shift: float, *behind: float) -> Trajectory:
+    """Throw an upright body with flesh at a face on a mass; its outline shifts as it is pushed in.
+
+    Further strips of the same height may stand behind the first, m.
+    """
     assembly = Assembly()
     leg = assembly.add_body("leg", 5.0, 0.1, (0.0, 0.0, 0.0), speed=(5.0, 0.0, 0.0))
     face = assembly.add_body("face", 1.0, 0.0, (0.0, 0.0, 0.0), guided=True)
     assembly.add_outline(OutlinePiece(body=leg, top=0.2, bottom=-0.2, face=0.0, width=0.05))
-    way = (np.array([0.0, 0.02]), np.array([[0.031, 0.0, 0.05], [0.031 + shift, 0.0, 0.05]]))
-    assembly.add(
-        FoldingFaceContact(
-            group=face,
-            rest=0.0,
-            compression=1e6,
-            layer=math.inf,
-            compacted_at=math.inf,
-            wall=0.0,
-            loss=0.0,
-            thickness=0.03,
-            friction=0.0,
-            **add_path(assembly, way, (np.array([1.0]), np.zeros((1, 3)))),
+    for back in (0.0, *behind):
+        places = np.array([[0.031 + back, 0.0, 0.05], [0.031 + back + shift, 0.0, 0.05]])
+        assembly.add(
+            FoldingFaceContact(
+                group=face,
+                rest=0.0,
+                compression=1e6,
+                layer=math.inf,
+                compacted_at=math.inf,
+                wall=0.0,
+                loss=0.0,
+                thickness=0.03,
+                friction=0.0,
+                **add_path(assembly, (np.array([0.0, 0.02]), places), (np.array([1.0]), np.zeros((1, 3)))),
+            )
         )
-    )
     return run_world(assembly.finish(), Plan(STEP, 0.02, 0.0), tracked=[leg, face])
 
 
@@ -118,3 +122,8 @@ def test_what_a_face_gives_way_by_its_own_folding_is_counted(shift: float) -> No
     total = run.kinetic + run.stored.sum(axis=1) + run.dissipated.sum(axis=1)
     assert np.abs(total - total[0]).max() < 0.005 * total[0]
     assert (run.dissipated[-1].sum() > 0.5) == (shift > 0)
+
+
+def test_a_strip_behind_another_is_not_met() -> None:
+    alone, flanged = struck(0.01), struck(0.01, 0.002)
+    assert np.array_equal(alone.tracks, flanged.tracks)
