@@ -61,7 +61,7 @@ def _lay_out(runs: Path) -> None:
 
 def _figure(name: str, command: str, runs: Path, folder: Path) -> Path:
     base = folder / name
-    _certkit(f"{command} --format svg --out {shlex.quote(str(base))}", runs)
+    _certkit(f"{command} --format svg --force --out {shlex.quote(str(base))}", runs)
     return base.with_suffix(".svg")
 
 
