@@ -73,7 +73,7 @@ class LegChannels:
 
     @cached_property
     def smooth(self) -> dict[str, NDArray[np.float64]]:
-        """Return the channels through the filter; as recorded where that cannot be."""
+        """Return the channels through the filter, SI, shape (n,) each; as recorded where that cannot be."""
         found = {}
         for name, channel in self.channels.items():
             try:
@@ -84,7 +84,7 @@ class LegChannels:
 
     @cached_property
     def after(self) -> dict[str, NDArray[np.float64]]:
-        """Return the filtered channels within the window."""
+        """Return the filtered channels within the window, SI, shape (samples of the window,) each."""
         end = int(np.searchsorted(self.filtered.recording.time, self.window.end, side="right"))
         return {name: values[self.begin : end] for name, values in self.smooth.items()}
 

@@ -88,6 +88,9 @@ def polygon_distance(
 def end_faces(x: NDArray[np.float64], y: NDArray[np.float64], corners: NDArray[np.float64]) -> frozenset[int]:
     """Return the sides through which a curve enters and leaves a polygon, or would if it went on.
 
+    The curve is x and y, shape (n,), the polygon its corners, shape (k, 2), in the same two units; a side has
+    the number of its first corner.
+
     A corridor begins and ends somewhere; a curve that runs through it from end to end is near those sides
     without being near its limits. They are the sides that the curve's two ends point at, at more than 30°
     (scaled), so that a curve that closes in on a limit still counts as near to it.

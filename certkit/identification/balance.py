@@ -67,7 +67,7 @@ class Flow:
 
 
 def group_momenta(graph: Graph, histories: PartHistories, grid: Grid) -> dict[str, Values]:
-    """Sum the momenta of each group's parts, N·s on the uniform axis (step 2)."""
+    """Sum the momenta of each group's parts, N·s on the uniform axis, shape (n,) each (step 2)."""
     momenta = {}
     for name, parts in graph.groups.items():
         total = np.zeros_like(grid.time)
@@ -102,7 +102,10 @@ def group_masses(graph: Graph, histories: PartHistories) -> dict[str, float]:
 
 
 def flows(graph: Graph, momenta: dict[str, Values], histories: PartHistories, grid: Grid) -> tuple[Flow, ...]:
-    """Find impulse and force in every load path (step 3).
+    """Find impulse (N·s) and force (N) in every load path, shape (n,) on the uniform axis (step 3).
+
+    The impulses J solve A·J = p(t) − p(0) with the groups' momenta p, where A (groups × paths) is −1 at the
+    group that a path starts from and +1 at the one that it ends at. Force is dJ/dt, or that of a recorded spring.
 
     Raises
     ------

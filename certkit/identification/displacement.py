@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def group_displacements(case: Case, graph: Graph, histories: PartHistories, grid: Grid) -> dict[str, Values]:
-    """Return each group's displacement along x in m on the uniform axis; zero where no path needs it.
+    """Return each group's displacement along x, m, shape (n,); zero where no path needs it.
 
     Raises
     ------
@@ -65,6 +65,6 @@ def _of_parts(
 
 
 def shortening(link: Link, displacements: dict[str, Values]) -> Values:
-    """Return by how much the first group has come nearer to the second, in m."""
+    """Return u₁ − u₂, by how much the first group has come nearer to the second, m, shape (n,)."""
     source = displacements[link.source]
     return source if link.target == GROUND else source - displacements[link.target]

@@ -56,15 +56,21 @@ class Grid:
         return float(self.time[1] - self.time[0])
 
     def resample(self, values: Values) -> Values:
-        """Interpolate a history linearly to the uniform axis."""
+        """Interpolate a history, shape (m,), linearly to the uniform axis, shape (n,), in its unit."""
         return np.interp(self.time, self.raw, values)
 
     def smooth(self, values: Values) -> Values:
-        """Smooth with a cubic Savitzky–Golay filter over the window; a too short one leaves values alone."""
+        """Smooth values of shape (n,) with a cubic Savitzky–Golay filter over the window, s.
+
+        A window that is too short leaves them alone.
+        """
         return _smoothed(values, round(self.window / self.step) // 2 * 2 + 1)
 
     def derivative(self, values: Values) -> Values:
-        """Differentiate: central difference, then smoothing, which is kept short where there is no noise."""
+        """Differentiate values of shape (n,), their unit per s: central difference, then smoothing.
+
+        Smoothing is kept short where there is no noise.
+        """
         raw = np.asarray(np.gradient(values, self.step))
         short = _smoothed(raw, FEWEST)
         noise = float(np.sqrt(np.mean((raw - short) ** 2)))
@@ -80,7 +86,7 @@ def _smoothed(values: Values, width: int) -> Values:
 
 
 def make_grid(raw: Values, *, window: float | None, until: float | None) -> Grid:
-    """Lay a uniform axis with the median step over the solver's times, up to `until`.
+    """Lay a uniform axis with the median step over the solver's times, shape (m,), up to `until`, s.
 
     Raises
     ------

@@ -70,11 +70,14 @@ class SpringLaw:
     tension: bool = False
 
     def loading(self, x: Values) -> Values:
-        """Return the loading curve at x ≥ 0, continued with its last slope (never a falling one)."""
+        """Return the loading curve, N, at shortenings x ≥ 0, m, shape (n,).
+
+        It is continued with its last slope, never a falling one.
+        """
         return _continued(x, *self._side(+1.0))
 
     def pulling(self, y: Values) -> Values:
-        """Return the pulling force (positive) at extensions y ≥ 0."""
+        """Return the pulling force (positive), N, at extensions y ≥ 0, m, shape (n,)."""
         return _continued(y, *self._side(-1.0))
 
     def _side(self, sign: float) -> tuple[Values, Values]:
@@ -100,7 +103,7 @@ class SpringLaw:
         return highest
 
     def spring_force(self, x: Values) -> Values:
-        """Return the force of the spring alone along a history of shortenings x, shape (n,)."""
+        """Return the force of the spring alone, N, along a history of shortenings x, m, shape (n,)."""
         side = _history(np.maximum(x, 0.0), self.loading, self.branch, self._highest(+1.0))
         if not self.tension:
             return side
@@ -109,14 +112,21 @@ class SpringLaw:
         return np.where(y > 0, -pull, side)
 
     def rest_length(self, x: Values) -> Values:
-        """Return the shortening at which unloading comes to zero force, along a history of x ≥ 0."""
+        """Return the shortening, m, at which unloading comes to zero force, along x ≥ 0, m, shape (n,).
+
+        With the largest shortening X so far it is s·X where a residual force is kept (permanent set s), else
+        X − F(X)/k with the unloading stiffness k.
+        """
         top = np.maximum.accumulate(x)
         if self.branch.residual > 0:
             return self.branch.permanent_set * top
         return np.maximum(top - self.loading(top) / self.branch.stiffness, 0.0)
 
     def total_force(self, x: Values, v: Values) -> Values:
-        """Return spring and damper along a history of shortenings x and rates v."""
+        """Return spring and damper, F(x) + c·v in N, along shortenings x (m) and rates v (m/s), shape (n,).
+
+        A spring that only pushes gives nothing while it does not push, and never pulls.
+        """
         spring = self.spring_force(x)
         if self.tension:
             return spring + self.damping * v

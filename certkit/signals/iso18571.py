@@ -114,7 +114,7 @@ def grade(overall: float) -> Grade:
 def resampled(
     time: NDArray[np.float64], values: NDArray[np.float64], start: float, end: float
 ) -> NDArray[np.float64]:
-    """Return values every 0.1 ms from `start` to `end` (s), by straight lines between samples.
+    """Return values every 0.1 ms from `start` to `end` (s), by straight lines between samples of shape (n,).
 
     Raises
     ------
@@ -143,7 +143,10 @@ def _corridor(reference: NDArray[np.float64], signal: NDArray[np.float64]) -> fl
 def overlap(
     reference: NDArray[np.float64], signal: NDArray[np.float64], shift: int
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Cut both curves to where they overlap; a positive `shift` moves the signal towards later."""
+    """Cut both curves, shape (n,) in one unit, to the n − |shift| samples in which they overlap.
+
+    A positive `shift`, in samples of 0.1 ms, moves the signal towards later.
+    """
     if shift > 0:
         return reference[shift:], signal[:-shift]
     if shift < 0:
@@ -152,7 +155,10 @@ def overlap(
 
 
 def best_shift(reference: NDArray[np.float64], signal: NDArray[np.float64]) -> int:
-    """Return the shift in samples that correlates best; the smaller shift, and then left, wins a tie."""
+    """Return the shift, in samples of 0.1 ms, at which two curves of shape (n,) correlate best.
+
+    Shifts of up to `LARGEST_SHIFT` · n are tried; the smaller one, and then left, wins a tie.
+    """
     largest = int(np.floor(reference.size * LARGEST_SHIFT))
     best, best_correlation = 0, _correlation(reference, signal)
     for size in range(1, largest + 1):
@@ -190,7 +196,7 @@ def _slope(reference: NDArray[np.float64], signal: NDArray[np.float64]) -> float
 
 
 def smooth_slope(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the slope, averaged over nine samples (fewer at the ends)."""
+    """Return the slope of values every 0.1 ms, shape (n,), per s: a mean of nine, fewer at the ends."""
     raw = np.gradient(values, INTERVAL)
     half = SLOPE_SAMPLES // 2
     smooth = np.empty_like(raw)

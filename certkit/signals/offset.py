@@ -16,7 +16,10 @@ SHORTEST = 0.005
 
 
 def quiet_interval(time: NDArray[np.float64], *, until: float = -MARGIN) -> slice | None:
-    """Return the samples from the record's start to `until` (s), or None where that is shorter than 5 ms."""
+    """Return which samples lie between the record's start and `until`, s; None where that is less than 5 ms.
+
+    `time`, s, has the shape (n,).
+    """
     end = int(np.searchsorted(time, until))
     if end < 2 or time[end - 1] - time[0] < SHORTEST * (1 - 1e-9):
         return None

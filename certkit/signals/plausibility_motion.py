@@ -136,7 +136,7 @@ def frozen_from(
     Parameters
     ----------
     own : ndarray, shape (k,)
-        From `activity`.
+        From `activity`: each window's movement as a share of the whole swing.
     others : sequence of ndarray, shape (k,)
         Of the neighbours.
     levels : ndarray of bool, shape (k,), optional
@@ -158,7 +158,7 @@ def turned_gauges(bone: Mapping[str, NDArray[np.float64]]) -> dict[str, float]:
     Parameters
     ----------
     bone : mapping of str to ndarray, shape (n,)
-        By channel; two gauges are needed, and channels without any movement take no part.
+        Moments in N·m by channel; two gauges are needed, and those without any movement take no part.
     """
     moving = {name: values for name, values in bone.items() if values.size > 1 and np.ptp(values) > 0}
     if len(moving) < 2:
@@ -173,7 +173,7 @@ def turned_gauges(bone: Mapping[str, NDArray[np.float64]]) -> dict[str, float]:
 
 
 def moves_wrong_way(values: NDArray[np.float64], times: float = WRONG_WAY) -> bool:
-    """Tell whether a ligament that a blow lengthens is shortened instead, m."""
+    """Tell whether a ligament that a blow lengthens is shortened instead; elongation in m, shape (n,)."""
     if not values.size:
         return False
     shorter, longer = -float(values.min()), max(float(values.max()), 0.0)
@@ -206,6 +206,8 @@ def off_the_line(
     before: NDArray[np.float64], gauge: NDArray[np.float64], behind: NDArray[np.float64]
 ) -> float | None:
     """Return how far a gauge lies off the line between its neighbours where that is more than a leg can show.
+
+    All three are moments in N·m, shape (n,).
 
     Between gauges 80 mm apart the moment departs from a straight line by q·h²/2 only, with the line load q of
     contact and inertia. A bumper that hits right at the gauge makes q large, but not for long, so that root

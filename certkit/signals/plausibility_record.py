@@ -42,6 +42,7 @@ def edge_of_peak(values: NDArray[np.float64], index: int, interval: float) -> Li
     Parameters
     ----------
     values : ndarray, shape (n,)
+        In the channel's unit, turned so that the peak is the largest one.
     index : int
         Of the largest value.
     interval : float

@@ -31,7 +31,8 @@ def copies(rest: Mapping[str, NDArray[np.float64]]) -> list[tuple[str, str]]:
     Parameters
     ----------
     rest : mapping of str to ndarray, shape (n,)
-        Not filtered, before contact. Second differences are compared, so that hum and drift do not count.
+        Not filtered, before contact, each in its unit. Second differences are compared, so that hum and drift
+        do not count.
     """
     noisy = {}
     for name, values in rest.items():
@@ -48,7 +49,7 @@ def copies(rest: Mapping[str, NDArray[np.float64]]) -> list[tuple[str, str]]:
 
 
 def swing_at_rest(rest: NDArray[np.float64], peak: float) -> float | None:
-    """Return the swing of a filtered channel at rest as a share of its peak, where that is too much."""
+    """Return the swing of a filtered channel at rest, shape (n,), as a share of its peak, if too large."""
     share = float(np.ptp(rest)) / peak if rest.size >= LEAST and peak > 0.0 else 0.0
     return share if share > UNSTEADY else None
 

@@ -52,8 +52,9 @@ def largest_step(interval: float, rate: float) -> float:
 
 
 def noise_of_steps(values: NDArray[np.float64]) -> float:
-    """Return the standard deviation of a step that noise alone makes, from the median second difference.
+    """Return the standard deviation of a step that noise alone makes, in the unit of `values`, shape (n,).
 
+    It is read from the median second difference.
     For white noise of deviation s, steps have s·√2 and second differences s·√6; the median of their size is
     0.6745 of their deviation and does not see a few large ones.
     """

@@ -24,7 +24,7 @@ def is_swapped(values: NDArray[np.float64], sign: int = 1, *, least: float = 0.0
     Parameters
     ----------
     values : ndarray, shape (n,)
-        Samples after contact, offset removed.
+        Samples after contact, in the channel's unit, offset removed.
     sign : {1, -1, 0}
         What the channel should be first and foremost; 0 where it may be either, which is never swapped.
     least : float

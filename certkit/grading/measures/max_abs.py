@@ -22,7 +22,7 @@ class MaxAbs(PeakMethod):
     """max |y(t)|."""
 
     def turned(self, ordinates: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return |y|."""
+        """Return |y|, of the same shape and unit."""
         return np.abs(ordinates)
 
     def take(

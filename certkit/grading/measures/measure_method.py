@@ -26,7 +26,7 @@ class MeasureMethod:
     """Whether the value is the largest of the `turned` ordinates: a longer window can only raise it."""
 
     def turned(self, ordinates: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the ordinates, shape (n,), so that the peak that is looked for is their largest one."""
+        """Return the ordinates, shape (n,), SI, so that the peak that is looked for is their largest one."""
         return ordinates
 
     def take(

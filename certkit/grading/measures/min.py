@@ -15,5 +15,5 @@ class Min(PeakMethod):
     """min y(t)."""
 
     def turned(self, ordinates: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return −y."""
+        """Return −y, of the same shape and unit."""
         return -ordinates

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def recorded_motion(
     rig: RigAssembly, run: Trajectory, readings: Mapping[str, Floats], at: Integers
 ) -> Motion:
-    """Return the motion document of a run; `at` are the sample numbers of the frames.
+    """Return the motion document of a run, m and rad; `at`, shape (frames,), has the frames' sample numbers.
 
     The picture is turned so that z points up in the laboratory.
 
@@ -78,7 +78,10 @@ def recorded_motion(
 
 
 def turned_poses(poses: Floats, angle: float) -> Floats:
-    """Return poses (x, z, angle) as they are after the whole picture is turned about the knee centre."""
+    """Return poses after the whole picture is turned by `angle` (rad) about the knee centre.
+
+    Poses have the shape (…, 3): x and z (m), angle (rad).
+    """
     c, s = math.cos(angle), math.sin(angle)
     x, z, own = np.moveaxis(poses, -1, 0)
     return np.stack([c * x - s * z, s * x + c * z, own + angle], axis=-1)

@@ -78,7 +78,7 @@ def moment_at(leg: Leg, readings: Mapping[str, Floats], height: float, part: str
 def channels(
     rig: RigAssembly, leg: Leg, run: Trajectory, readings: Mapping[str, Floats]
 ) -> dict[str, Channel]:
-    """Return all channels of the run, those of legform and fixtures, in the order of the legform's table."""
+    """Return all channels of the run, SI, shape (samples,), in the order of the legform's table."""
     table = rig.legform.channel_table
     values = {**_of_legform(rig, leg, run, readings), **_of_rig(rig, leg, run, readings)}
     return {

@@ -22,7 +22,10 @@ FASTEST = 1e3
 def add_weight_and_damping(
     mass: Floats, damping: Floats, gravity: Floats, now: Instant, load: Rows[Load], totals: Rows[Totals]
 ) -> None:
-    """Start each body's load with its weight m·g and its mass damping -m·α·v."""
+    """Start each body's load with its weight m·g and its mass damping −m·α·v, N.
+
+    `mass` m (kg) and `damping` α (1/s) have the shape (bodies,), `gravity` g (m/s²) the shape (2,).
+    """
     for i in range(mass.shape[0]):
         m, rate = mass[i], mass[i] * damping[i]
         pose, velocity, on_body = now.pose[i], now.velocity[i], load[i]

@@ -83,7 +83,10 @@ def clear_totals(totals: Rows[Totals]) -> None:
 
 @compiled
 def dissipate(totals: Rows[Totals], power: Floats, dissipated: Floats, half: float) -> None:
-    """Add what the last step dissipated, ∫P dt by the trapezoidal rule, and keep the power for the next."""
+    """Add what the last step dissipated, ∫P dt by the trapezoidal rule, and keep the power for the next.
+
+    `power` P (W) and `dissipated` (J) have the shape (accounts,); `half` is half a step, s.
+    """
     for a in range(len(totals)):
         dissipated[a] += half * (power[a] + totals[a].power)
         power[a] = totals[a].power

@@ -197,7 +197,7 @@ class Assembly:
         self._speed = [(x, z, 0.0)] * len(self._speed)
 
     def masses(self) -> NDArray[np.float64]:
-        """Return mass, x, z and inertia of all bodies so far, shape (n, 4)."""
+        """Return mass (kg), x, z (m) and inertia (kg·m²) of all bodies so far, shape (n, 4)."""
         return np.array(
             [(b[0], p[0], p[1], b[1]) for b, p in zip(self._bodies, self._pose, strict=True)],
             dtype=np.float64,
