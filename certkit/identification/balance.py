@@ -105,7 +105,8 @@ def flows(graph: Graph, momenta: dict[str, Values], histories: PartHistories, gr
     """Find impulse (N·s) and force (N) in every load path, shape (n,) on the uniform axis (step 3).
 
     The impulses J solve A·J = p(t) − p(0) with the groups' momenta p, where A (groups × paths) is −1 at the
-    group that a path starts from and +1 at the one that it ends at. Force is dJ/dt, or that of a recorded spring.
+    group that a path starts from and +1 at the one that it ends at.
+    Force is dJ/dt, or that of a recorded spring.
 
     Raises
     ------
