@@ -9,7 +9,7 @@ Six kinds of check, each in a file of its own: integrity (`verify_document`, `ve
 from __future__ import annotations
 
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,7 +19,7 @@ from certkit.bench.verify_attachments import carried_checks, manifest_checks
 from certkit.bench.verify_campaign import campaign_checks
 from certkit.bench.verify_document import document_checks, table_check
 from certkit.bench.verify_grading import grading_checks
-from certkit.bench.verify_legform_certificate import LOGBOOK, legform_checks, logbook_check
+from certkit.bench.verify_legform_certificate import LOGBOOK, legform_checks, logbook_check, page_check
 from certkit.bench.verify_replacement import replacement_checks
 from certkit.bench.verify_reports import report_checks
 from certkit.bench.verify_reproduction import reproduction_checks
@@ -133,7 +133,8 @@ def _folder(path: Path, wanted: Wanted) -> Verification:
     if document is None:
         raise DataError(f"{path}: no result.json in it; name the folder of one run, a result.json or a PDF")
     if document.name != Result.file_name:
-        return _file(document, wanted)
+        found = _file(document, wanted)
+        return replace(found, checks=(*found.checks, *page_check(path, document)))
     content = read_bounded(document)
     result = Result.from_json(content, str(document))
     checks = [*document_checks("result.json", content, result), *report_checks(path, result)]

@@ -9,14 +9,16 @@ from certkit._version import __version__
 from certkit.bench.compare_documents import differences
 from certkit.bench.verification import Check, fails, holds, judged, unchecked
 from certkit.bench.verify_document import document_checks, of_another_certkit
+from certkit.documents.legform_certificate import LegformCertificate
 from certkit.errors import CertkitError
+from certkit.files.bounded import read_bounded
 from certkit.logbooks import Issue, certificate_of
 from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
+    from pathlib import Path
 
-    from certkit.documents.legform_certificate import LegformCertificate
     from certkit.documents.result import Result
 
 LOGBOOK = "logbook.html"
@@ -70,3 +72,19 @@ def logbook_check(document: LegformCertificate, content: bytes) -> Check:
     if any(of_another_certkit(result) for result in document.results):
         return unchecked(LOGBOOK, "made-by-another-version", version=document.certkit, now=__version__)
     return judged(LOGBOOK, content == logbook_page([document.logbook]).encode(), "rendering-differs")
+
+
+def page_check(folder: Path, path: Path) -> Iterator[Check]:
+    """Check the page that lies beside a certificate, if `path` is one."""
+    from certkit.reporting.html_report import language_of  # noqa: PLC0415  # jinja2 waits
+    from certkit.reporting.legform_certificate_report import PAGE, certificate_page  # noqa: PLC0415  # likewise
+
+    page = folder / PAGE
+    if path.name != LegformCertificate.file_name or not page.is_file():
+        return
+    document, content = LegformCertificate.read(path), read_bounded(page)
+    if any(of_another_certkit(result) for result in document.results):
+        yield unchecked(PAGE, "made-by-another-version", version=document.certkit, now=__version__)
+        return
+    made = certificate_page(document, language_of(content)).encode()
+    yield judged(PAGE, content == made, "rendering-differs")

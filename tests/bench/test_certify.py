@@ -75,6 +75,10 @@ def test_a_certificate_holds_and_its_pages_do(made: LegformCertificate, tmp_path
         found = verify(path)
         assert [check for check in found.checks if check.asked and not check.holds] == []
         assert found.verdicts == ("not evaluated",)
+    page = tmp_path / "certificate.html"
+    page.write_text(page.read_text().replace("not evaluated", "pass"))
+    failed = [check.what for check in verify(tmp_path).of("does not hold")]
+    assert failed == ["certificate.html"]
 
 
 def other_serial(result: Result) -> Result:
