@@ -85,7 +85,8 @@ def weasyprint() -> Any:  # noqa: ANN401  # the module has no types
     except OSError as error:
         raise MissingPartError(
             "the PDF needs the Pango library, which is not installed; on Debian and Ubuntu: "
-            "`apt install libpango-1.0-0 libpangoft2-1.0-0 libharfbuzz0b`, on macOS: `brew install pango`; "
+            "`apt install libpango-1.0-0 libpangoft2-1.0-0 libharfbuzz0b`, on macOS: `brew install pango`, "
+            "on Windows: Pango from MSYS2 (docs/how-to/run.md); "
             "all other formats do without it"
         ) from error
     return module
