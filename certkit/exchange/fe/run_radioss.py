@@ -122,7 +122,7 @@ class RadiossRun:
         kind = KINDS[match_one(word, KINDS, "kind of group", self._source)]
         objects = self._columns.get(kind, {})
         held = objects[match_one(name, objects, word, self._source)]
-        column = held[match_one(variable, held, f"variable of {word} `{name}`", self._source)]
+        column = held[match_one(variable, held, "variable", f"{self._source}: {word} `{name}`")]
         values = self._groups[:, column]
         require_finite(values, f"{name} {variable}", self._source)
         if variable in IMPULSES.get(kind, ()):
