@@ -127,7 +127,8 @@ def criterion_row(
         corridor=_corridor(criterion, limits, t),
         margin=words.fixed(criterion.margin, decimals),
         spread=_spread(criterion, decimals),
-        time=words.milliseconds(criterion.time),
+        # A curve in a plane runs over loads, not over time.
+        time=words.MISSING if criterion.curve else words.milliseconds(criterion.time),
         verdict=criterion.verdict if criterion.graded else "informative",
         sign=words.SIGNS[criterion.verdict] if criterion.graded else "·",
         confidence=criterion.confidence or "",
