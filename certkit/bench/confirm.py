@@ -188,6 +188,10 @@ def open_confirmation(
     UsageError
         When the definition or the text is not clear, or the confirmation was begun with another text.
     """
+    if title is not None and len(title.strip()) < 3:
+        raise UsageError(
+            f"`{title}` is no title; write title and edition, such as --title 'UN R127, 02 series'"
+        )
     folder = Path(library)
     shelf = (folder,) if folder.is_dir() and any(folder.rglob("*.y*ml")) else ()
     loaded = _load(definition, kind, shelf)
@@ -198,7 +202,7 @@ def open_confirmation(
         by.strip(),
         day or datetime.now(tz=UTC).astimezone().date().isoformat(),
     )
-    if len(session.by) < 2:
+    if not 2 <= len(session.by) <= 200:
         raise UsageError("who reads? name the person with --by")
     digest = None if document is None else _digest(Path(document))
     if not session.path.is_file():

@@ -99,7 +99,7 @@ def environments(tell: Tell, pythons: Sequence[str]) -> str:
     usual: tuple[str, ...] = ()
     same = 0
     for each in every:
-        if each.needs and not shutil.which(each.needs):
+        if each.before and not shutil.which(each.before[0]):
             continue
         found: Any = ids_in(each)
         usual = usual or found.ids

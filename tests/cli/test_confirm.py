@@ -136,6 +136,12 @@ def test_ones_own_other_copy_and_a_filled_in_table_are_not_written_over(desk: Pa
     assert "windows.T1" in (desk / "open.csv").read_text("utf-8-sig")
 
 
+@pytest.mark.parametrize("title", ["", "T", "  R "])
+def test_a_title_that_is_none_is_said_so(title: str):
+    with pytest.raises(UsageError, match="is no title"):
+        open_confirmation("r127-inverse", by="M. Weber", title=title)
+
+
 def test_a_table_does_as_well_as_the_keyboard(desk: Path):
     told(*WORDS, "--document", "R127.pdf", "--write-table", "open.csv")
     rows = list(csv.DictReader((desk / "open.csv").read_text("utf-8-sig").splitlines()))
