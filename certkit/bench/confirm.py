@@ -138,10 +138,7 @@ class ConfirmationSession:
         """Write one's own copy of the definition with another value, and read it."""
         target = self.library / KINDS[self.loaded.kind].folder / f"{self.loaded.name}.yaml"
         if target.exists() and hashlib.sha256(read_bytes(target)).hexdigest() != self.loaded.sha256:
-            raise UsageError(
-                f"{target}: exists, and is another than the {self.loaded.path} that was begun with; name "
-                "that file, or another --library"
-            )
+            raise UsageError(f"{target}: exists, and is another than {self.loaded.path}; name that file")
         text = with_value(self.loaded, entry, value)
         write_whole(target, text)
         self.loaded = load(self.loaded.kind, target)
