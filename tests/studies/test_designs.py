@@ -14,7 +14,7 @@ from certkit.studies.designs.latin_hypercube import latin_hypercube
 from certkit.studies.designs.morris import morris_design
 from certkit.studies.designs.one_at_a_time import one_at_a_time
 from certkit.studies.designs.shares import correlation_matrix
-from certkit.studies.designs.sobol_indices import sobol_design
+from certkit.studies.designs.sobol_indices import sobol_design, sobol_indices
 from certkit.studies.designs.sobol_sequence import sobol_sequence
 from certkit.studies.factors import Factor, Levels, NormalFactor, Triangular, Uniform, factor_of
 
@@ -122,3 +122,12 @@ def test_what_makes_no_sense_is_said_so(how: dict[str, object], message: str) ->
 def test_one_way_of_varying_is_enough() -> None:
     with pytest.raises(ValueError, match="in one way"):
         parameter(uniform="10 %", values=[1, 2])
+
+
+def test_an_output_that_changes_by_rounding_only_owes_nothing_to_any_factor() -> None:
+    pd = pytest.importorskip("pandas")
+    pytest.importorskip("SALib")
+    points = sobol_design([A, B], 4, seed=1)
+    digits = np.random.default_rng(1).normal(size=len(points))
+    found = sobol_indices(pd.DataFrame({"y": 250.0 + 1e-12 * digits}), [A, B], ["y"], seed=1)
+    assert found[["first", "total"]].to_numpy().tolist() == [[0.0, 0.0], [0.0, 0.0]]

@@ -22,6 +22,11 @@ if TYPE_CHECKING:
     from certkit.studies.points import Point
 
 
+ROUNDING = 1e-9
+"""Share of an output's size by which it has to change for shares of its variance to mean something: below,
+it is the rounding of its last digits that varies."""
+
+
 class SobolIndices(StudyDesign):
     """Two sample matrices and their mixtures."""
 
@@ -53,7 +58,8 @@ def sobol_indices(
     """Return first-order and total indices with their 95 % bootstrap intervals.
 
     Columns `output`, `factor`, `first`, `first_interval`, `total`, `total_interval`; intervals are
-    half-widths. An output that never changes has no indices and is left out.
+    half-widths. An output that never changes has no indices and is left out; one that changes by rounding
+    only owes nothing to any factor: its indices are 0.
     """
     import pandas as pd  # noqa: PLC0415  # slow to import
 
@@ -62,6 +68,10 @@ def sobol_indices(
     for output in outputs:
         y = complete(table, output)
         if np.ptp(y) == 0:
+            continue
+        if np.ptp(y) <= ROUNDING * float(np.max(np.abs(y))):
+            none = dict.fromkeys(("first", "first_interval", "total", "total_interval"), 0.0)
+            rows += [{"output": output, "factor": factor.name, **none} for factor in factors]
             continue
         found = analyze(problem(factors), y, calc_second_order=False, seed=salib_seed(seed))
         rows += [
