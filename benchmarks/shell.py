@@ -53,7 +53,7 @@ def rows() -> Iterator[Row]:
         yield Row("  python with numpy, pymunk and pydantic", imports, "s")
         yield Row("  of which python itself", bare, "s")
         yield Row("  the solver, with step and iteration check", solver, "s")
-        yield Row("warm run / (imports + solver)", warm / (imports + solver), "", 2.0, "most")
+        yield Row("warm run / (imports + solver)", warm / (imports + solver), "", 1.5, "most")
         for formats in ("junit,html", "junit,html,pdf"):
             yield Row(
                 f"certkit run --procedure inverse --format {formats}",
