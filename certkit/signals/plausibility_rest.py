@@ -18,9 +18,9 @@ LEAST = 60
 """Samples at rest that a correlation needs, and a drift."""
 LEVELS = 5
 """Different values that noise has at least; a channel of fewer shows none."""
-UNSTEADY = 0.08
-"""Share of its largest size that a channel may swing at rest; good recordings show up to 0.06, where the peak
-is small."""
+UNSTEADY = 0.12
+"""Share of its largest size that a channel may swing at rest; good recordings show up to 0.082, where the
+peak is small."""
 DRIFT = 0.02
 """Share of its largest size that a channel may drift by until its peak, as it does at rest."""
 

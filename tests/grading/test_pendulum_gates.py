@@ -68,7 +68,7 @@ def test_a_channel_that_moves_before_the_others_is_shifted_in_time():
     ("change", "code"),
     [
         (lambda t, v: v + 0.04 * (t - t[0]) / 1e-3, "drifts-at-rest"),
-        (lambda t, v: v + 15.0 * np.sin(2 * np.pi * 50.0 * t), "swings-at-rest"),
+        (lambda t, v: v + 17.0 * np.sin(2 * np.pi * 50.0 * t), "swings-at-rest"),
     ],
 )
 def test_a_channel_that_is_not_at_rest_before_contact_is_remarked_upon(

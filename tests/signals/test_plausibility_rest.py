@@ -40,5 +40,5 @@ def test_a_drift_at_rest_is_taken_to_the_peak(per_sample: float, *, found: bool)
 
 def test_hum_is_a_swing_and_no_drift():
     assert drift_until_peak(10.0 * HUM, 800, 250.0) is None
-    assert swing_at_rest(12.0 * HUM, 250.0) == pytest.approx(0.096, rel=0.01)
-    assert swing_at_rest(5.0 * HUM, 250.0) is None
+    assert swing_at_rest(20.0 * HUM, 250.0) == pytest.approx(0.16, rel=0.01)
+    assert swing_at_rest(10.0 * HUM, 250.0) is None
