@@ -92,8 +92,6 @@ ENVIRONMENTS = (
     Environment("one thread", ONE_THREAD),
     Environment("one core", before=("taskset", "-c", "0")),
     Environment("locale C, ASCII", {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONIOENCODING": "ascii"}),
-    Environment("German locale", {"LC_ALL": "de_DE.UTF-8", "LANG": "de_DE.UTF-8"}),
-    Environment("Turkish locale", {"LC_ALL": "tr_TR.UTF-8", "LANG": "tr_TR.UTF-8"}),
     Environment("time in Tokyo", {"TZ": "Asia/Tokyo"}),
     Environment("time in Newfoundland", {"TZ": "America/St_Johns"}),
     Environment("hash seed 0", {"PYTHONHASHSEED": "0"}),
