@@ -34,7 +34,7 @@ FOLDER = Path(__file__).parents[1]
 SOURCES = ("compiling.py", "records.py", "solver/*.py", "force_laws/*.py")
 
 C_LIBRARY = frozenset(
-    {"acos", "asin", "atan", "atan2", "cos", "exp", "log", "pow", "sin", "sincos", "tan", "tanh"}
+    {"acos", "asin", "atan", "atan2", "cos", "exp", "log", "pow", "sin", "sincos", "sqrt", "tan", "tanh"}
 )
 """All that the object file may ask for by name. LLVM ends the process when it cannot find a name."""
 
