@@ -34,7 +34,9 @@ def figure(
     ] = None,
     out: Annotated[
         Path | None,
-        typer.Option("--out", help="File without its ending.", show_default="PROCEDURE-WHAT beside the JSON"),
+        typer.Option(
+            "--out", help="File; each format adds its ending.", show_default="PROCEDURE-WHAT beside the JSON"
+        ),
     ] = None,
     unverified: options.Unverified = False,
     force: options.Force = False,
@@ -51,6 +53,8 @@ def figure(
         result, what, wanted, channels=channel or (), beside=beside, unverified=unverified
     )
     base = out or result.parent / f"{name}-{what}"
+    if base.suffix.removeprefix(".") in wanted:
+        base = base.with_suffix("")
     for form, content in contents.items():
         path = base.with_name(f"{base.name}.{form}")
         write_alone(path, content, force=force)

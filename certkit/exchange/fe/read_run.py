@@ -149,7 +149,11 @@ def _open(paths: list[Path], layout: FiniteElements, stack: ExitStack) -> RunFil
                 f"{paths[1]}: an OpenRadioss run has one T01 here; name it in the mapping's `files`"
             )
         return RadiossRun(paths[0], parse_units(layout.units))
-    raise DataError(f"{paths[0]}: a converted CSV has lost part of its names; grade the native file (…T01)")
+    if kind == "openradioss csv":
+        raise DataError(
+            f"{paths[0]}: a converted CSV has lost part of its names; grade the native file (…T01)"
+        )
+    raise DataError(f"{paths[0]}: runs in the format `{kind}` are not graded; convert it to a tidy table")
 
 
 def _told_format(path: Path) -> Format:
