@@ -171,7 +171,7 @@ def test_values_are_predicted_by_the_others_where_that_is_wanted(tmp_path: Path)
 
 
 def test_other_searches_are_reported_beside_the_fit(tmp_path: Path) -> None:
-    search = {"generations": 0, "steps": 1, "basins": 2, "population": 4}
+    search = {"generations": 0, "steps": 1, "basins": 2, "population": 5}
     report = fit_and_write(
         make_ready(changed(search=search)), tmp_path, execution=Execution(processes=1)
     ).report
