@@ -86,7 +86,10 @@ def _rows(register: Path) -> list[tuple[str, str, str, str]]:
         raise DataError(f"{register}: not UTF-8 text; restore the register that certkit wrote") from error
     lines = list(csv.reader(io.StringIO(text)))
     if not lines or tuple(lines[0]) != HEADS or any(len(line) != len(HEADS) for line in lines):
-        raise DataError(f"{register}: not a register of report numbers; its columns are {', '.join(HEADS)}")
+        raise DataError(
+            f"{register}: not a register of report numbers; restore it, or name another: its columns are "
+            f"{', '.join(HEADS)}"
+        )
     return [(number, revision, day, of) for number, revision, day, of in lines[1:]]
 
 

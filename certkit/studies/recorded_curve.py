@@ -116,7 +116,8 @@ class RecordedCurve:
             scale, unit = self.across.scale, self.across.unit
             raise DataError(
                 f"{self.name}: simulated from {x[0] * scale:.4g} to {x[-1] * scale:.4g} {unit}, wanted from "
-                f"{self.start * scale:.4g} to {self.end * scale:.4g} {unit}"
+                f"{self.start * scale:.4g} to {self.end * scale:.4g} {unit}; narrow the "
+                "target's window, or let the run go on longer"
             )
         scale = self.dimension.scale
         found = {

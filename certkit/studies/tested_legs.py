@@ -79,5 +79,8 @@ def _written(value: float, like: str) -> str:
     unit = (split_quantity(like) or (0.0, ""))[1]
     scale = {"deg": math.degrees(1.0), "m/s": 1.0, "kg": 1.0, "mm": 1e3}.get(unit)
     if scale is None:
-        raise UsageError(f"a condition cannot be written in `{unit}`, as `{like}` is")
+        raise UsageError(
+            f"a condition cannot be written in `{unit}`, as `{like}` is; leave it out of the "
+            "diagnosis' `conditions`"
+        )
     return f"{value * scale!r} {unit}"

@@ -61,9 +61,11 @@ def read_node_motion(path: Path) -> tuple[NodeMotion, str]:
         try:
             values = (float(row["time_ms"]), float(row["x_mm"]), float(row["z_mm"]))
         except ValueError:
-            raise DataError(f"{path}: line {number}: time and place have to be numbers") from None
+            raise DataError(
+                f"{path}:{number}: time and place have to be numbers; export them again"
+            ) from None
         if not np.all(np.isfinite(values)):
-            raise DataError(f"{path}: line {number}: a place that is not finite")
+            raise DataError(f"{path}:{number}: a place that is not finite; export the nodes again")
         series.setdefault((row["line"], row["node"]), []).append(values)
     time: Values | None = None
     places: dict[str, dict[str, Values]] = {}

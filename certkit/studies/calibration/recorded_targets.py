@@ -10,6 +10,7 @@ import numpy as np
 from certkit.bench.sources import load_source
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.channels import TIME
+from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.library import load
 from certkit.errors import UsageError
 from certkit.grading.trace import quantity
@@ -95,7 +96,9 @@ def _pairs(target: Target, table: ChannelTable) -> list[tuple[str, str]]:
     for pair in pairs:
         for name in pair:
             if name and table.find(name) is None:
-                raise UsageError(f"{target.procedure}: no channel is called `{name}`")
+                raise UsageError(
+                    f"{target.procedure}: no channel is called `{name}`; {suggestion(name, table.kinds)}"
+                )
     return pairs
 
 
