@@ -209,7 +209,7 @@ def test_a_figure_or_an_export_of_other_content_is_refused(certkit: Command, tmp
     for command in (("figure", "a/result.json", "--out", "a.svg"), ("export", "a", "a.csv")):
         assert certkit(*command).returncode == 0
         assert certkit(*command).returncode == 0
-    for name in ("a.svg.svg", "a.csv"):
+    for name in ("a.svg", "a.csv"):
         (tmp_path / name).write_text("mine")
     for command in (("figure", "a/result.json", "--out", "a.svg"), ("export", "a", "a.csv")):
         assert certkit(*command).returncode == 2
