@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
-from certkit.reporting.verification_words import verification_words
+from certkit.reporting.language import ENGLISH, language
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -23,7 +23,7 @@ class Check:
         What was looked at, such as `pages` or `graded again: T1`.
     outcome : {'holds', 'does not hold', 'not checked'}
     code : str
-        Why, by the catalogue of `certkit.reporting.verification_words`; empty where nothing is to be said.
+        Why, by the catalogue `verification` of each language; empty where nothing is to be said.
     parameters : mapping of str to object
         What the reason's sentence needs.
     asked : bool
@@ -38,8 +38,12 @@ class Check:
 
     @property
     def said(self) -> str:
-        """Return the reason in words."""
-        return verification_words(self.code, self.parameters) if self.code else ""
+        """Return the reason in English words."""
+        return self.said_in(ENGLISH)
+
+    def said_in(self, spoken: str) -> str:
+        """Return the reason in the words of a language."""
+        return language(spoken).verified(self.code, self.parameters) if self.code else ""
 
     @property
     def holds(self) -> bool:

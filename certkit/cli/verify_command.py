@@ -55,7 +55,7 @@ def verify(
     from certkit.bench.verify import is_certificate  # noqa: PLC0415  # likewise
     from certkit.bench.verify import verify as check  # noqa: PLC0415  # likewise
     from certkit.errors import UsageError  # noqa: PLC0415  # likewise
-    from certkit.reporting.verification_words import LIMITS  # noqa: PLC0415  # likewise
+    from certkit.reporting.language import language  # noqa: PLC0415  # likewise
 
     certificates = [path for path in certificate if is_certificate(path)] or certificate[:1]
     data = [path for path in certificate if path not in certificates]
@@ -68,7 +68,7 @@ def verify(
     else:
         for each in found:
             _tell(each, verbose=verbose)
-        typer.echo(LIMITS)
+        typer.echo(language().verified("limits", {}))
     codes = {EXIT[each.outcome] for each in found}
     raise typer.Exit(next(code for code in (1, 4, 0) if code in codes))
 

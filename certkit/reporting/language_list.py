@@ -1,13 +1,12 @@
-"""Which languages there are: the files of `certkit.reporting.languages`, by their codes (ISO 639-1)."""
+"""Which languages there are: the files of `languages/`, by their codes (ISO 639-1)."""
 
 from __future__ import annotations
 
-from importlib import import_module
-from pkgutil import iter_modules
+from pathlib import Path
 
-FOLDER = "certkit.reporting.languages"
+FOLDER = Path(__file__).resolve().parent / "languages"
 
 
 def languages() -> list[str]:
     """Return the codes of all languages there are, in alphabetical order."""
-    return sorted(module.name for module in iter_modules(import_module(FOLDER).__path__))
+    return sorted(path.stem for path in FOLDER.glob("*.yaml"))

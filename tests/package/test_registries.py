@@ -53,7 +53,7 @@ def files(folder: str) -> set[str]:
 
 @cache
 def texts() -> dict[str, set[str]]:
-    """Return the texts that each module holds, without those of the languages."""
+    """Return the texts that each module holds."""
     return {
         path.relative_to(PACKAGE).as_posix(): {
             node.value
@@ -61,12 +61,11 @@ def texts() -> dict[str, set[str]]:
             if isinstance(node, ast.Constant) and isinstance(node.value, str)
         }
         for path in sorted(PACKAGE.rglob("*.py"))
-        if path.parent.name != "languages"
     }
 
 
 def saying(words: set[str], besides: str) -> list[str]:
-    """Return where one of these words stands as a text, besides the list and the languages."""
+    """Return where one of these words stands as a text, besides the list."""
     return [
         f"{place}: {word}"
         for place, found in texts().items()

@@ -15,11 +15,13 @@ from certkit._version import __version__
 from certkit.bench.pdf_attachments import attachments_of
 from certkit.bench.render_documents import render
 from certkit.bench.verify import verify
+from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.definitions.measures import MEASURES
 from certkit.documents.wording import without_words
 from certkit.errors import MissingPartError, UsageError
 from certkit.reasons import Reason
-from certkit.reporting import font_check
+from certkit.reporting import font_check, language_list
+from certkit.reporting import language as language_module
 from certkit.reporting.language import language, worded
 from certkit.reporting.language_list import languages
 from certkit.reporting.number_format import CONFIDENCE
@@ -107,6 +109,33 @@ def test_a_language_has_every_verdict_and_every_reason_with_its_parameters(code:
     assert set(spoken.reasons) == set(english.reasons)
     for name, template in spoken.reasons.items():
         assert fields(template) <= fields(english.reasons[name]), name
+
+
+FRENCH = """
+name: Français
+verdicts: {pass: réussi, off: "no"}
+reasons:
+  no-corridor: aucun couloir n'est connu
+"""
+
+
+def test_a_language_is_one_file_and_what_it_lacks_is_english(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
+    (tmp_path / "en.yaml").write_bytes((language_list.FOLDER / "en.yaml").read_bytes())
+    (tmp_path / "fr.yaml").write_text(FRENCH, "utf-8")
+    for module in (language_list, language_module):
+        monkeypatch.setattr(module, "FOLDER", tmp_path)
+    assert languages() == ["en", "fr"]
+    spoken = language("fr")
+    assert (spoken.verdict("pass"), spoken.verdict("off"), spoken.verdict("fail")) == ("réussi", "no", "fail")
+    assert spoken.sentence(Reason.of("no-corridor")) == "aucun couloir n'est connu"
+    assert spoken.sentence(Reason.of("value-not-finite")) == "the value is not a number"
+    language.cache_clear()
+
+
+@pytest.mark.parametrize("path", sorted(language_list.FOLDER.glob("*.yaml")), ids=lambda path: path.stem)
+def test_a_language_says_nothing_twice(path: Path):
+    """A key that stands twice would lose its first words in silence."""
+    assert read_tree(path.read_text("utf-8"), path.name).problems == []
 
 
 @pytest.mark.parametrize("code", languages())
