@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
-from certkit.cli.many_runs import Cluster, Fresh, Processes  # noqa: TC001  # likewise
+from certkit.cli.many_runs import Cluster, Fresh, Processes, TlsCa, TlsCert, TlsKey, cluster_address
 
 Document = Annotated[
     str, typer.Argument(metavar="BUDGET.yaml", help="The budget: a file, or a shipped name.")
@@ -21,6 +21,9 @@ def uncertainty(
     out: options.Out = None,
     processes: Processes = None,
     cluster: Cluster = None,
+    tls_ca_file: TlsCa = None,
+    tls_cert: TlsCert = None,
+    tls_key: TlsKey = None,
     fresh: Fresh = False,
     force: options.Force = False,
     library: options.Libraries = None,
@@ -41,12 +44,13 @@ def uncertainty(
 
     sheet = budget_sheet(document, tuple(library or ()))
     folder = out or Path("runs") / sheet.budget
+    address = cluster_address(cluster, tls_ca_file, tls_cert, tls_key)
     with resumable(), counting(sheet.budget, quiet=quiet or as_json) as progress:
         report = propagate(
             sheet,
             out=folder,
             library=library or (),
-            execution=Execution(processes, cluster, progress),
+            execution=Execution(processes, address, progress),
             fresh=fresh,
             force=force,
         )

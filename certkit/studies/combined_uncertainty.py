@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.documents.result import CriterionResult
+    from certkit.grading.asked_criterion import AskedCriterion
     from certkit.studies.factors import Factor
     from certkit.studies.points import Outcome
 
@@ -55,7 +55,7 @@ def standard_uncertainty(factor: Factor) -> float:
 
 
 def criterion_uncertainty(  # what one criterion's figures rest on
-    criterion: CriterionResult,
+    criterion: AskedCriterion,
     output: str,
     outcomes: tuple[Outcome, Sequence[Outcome], Sequence[Outcome]],
     factors: Sequence[Factor],
@@ -67,8 +67,7 @@ def criterion_uncertainty(  # what one criterion's figures rest on
 
     Parameters
     ----------
-    criterion : CriterionResult
-        As it is with everything as it should be; its channel by the short name.
+    criterion : AskedCriterion
     output : str
         Its column in the outcomes.
     outcomes : (Outcome, sequence of Outcome, sequence of Outcome)

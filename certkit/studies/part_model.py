@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.bench.setup import prepare
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.definitions.units import parse_quantity
 from certkit.errors import UsageError
@@ -48,13 +47,13 @@ class PartModel:
     ) -> None:
         """Find the values of all parts."""
         self.procedure = procedure
-        self.overrides = dict(overrides)
-        self.library = tuple(map(str, library))
+        # Which reads the definitions once for all changes.
+        self._trial = Trial((procedure,), fixed=dict(overrides), library=tuple(map(str, library)))
         self.filter = sheet.filter
         end, step = parse_quantity(sheet.window, "time"), parse_quantity(sheet.step, "time")
         self.places: NDArray[np.float64] = np.arange(step, end + step / 2, step)
         self.parts = [part for part in sheet.parts if part.procedures is None or procedure in part.procedures]
-        nominals = Trial((procedure,), fixed=self.overrides, library=self.library).nominals()
+        nominals = self._trial.nominals()
         self._values = {
             part.part: [_value(path, part, nominals) for path in part.paths] for part in self.parts
         }
@@ -91,7 +90,7 @@ class PartModel:
         """Simulate, and return bone moments and elongations at the places, SI, by channel."""
         from certkit.mechanics import simulate  # noqa: PLC0415  # the solver waits until something is run
 
-        setup = prepare(self.procedure, library=self.library, overrides={**self.overrides, **changes})
+        setup = self._trial.prepared(self.procedure, changes)
         recording = simulate(setup.procedure, setup.legform, vehicle=setup.vehicle).recording
         return self.at_places(Filtered(recording, [(name, self.filter) for name in gauges_of(recording)]))
 

@@ -23,7 +23,7 @@ from certkit.definitions.uncertainty_budget import UncertaintyBudget
 from certkit.documents.uncertainty_report import UncertaintyReport
 from certkit.errors import CertkitError, UsageError
 from certkit.files import write_whole
-from certkit.grading import grade_criteria, measure_all
+from certkit.grading.asked_criterion import AskedCriterion, asked_criterion
 from certkit.grading.decision import COVERAGE
 from certkit.studies.combined_uncertainty import (
     SensorError,
@@ -43,7 +43,6 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
     from certkit.definitions.uncertainty_budget import SensorUncertainty
-    from certkit.documents.result import CriterionResult
     from certkit.studies.points import Point
 
 SNIPPET = "uncertainties.yaml"
@@ -179,18 +178,15 @@ def _middle(factor: Factor) -> float:
     return float(factor.distribution.quantile(0.5))
 
 
-def _criteria(trial: Trial) -> dict[str, CriterionResult]:
-    """Return the criteria of the procedure with nothing changed; their channels have short names."""
-    from certkit.mechanics import simulate  # noqa: PLC0415  # the solver waits until something is run
-
+def _criteria(trial: Trial) -> dict[str, AskedCriterion]:
+    """Return what the criteria of the procedure ask, by their ids."""
     setup = trial.prepared(trial.procedures[0], {})
-    simulated = simulate(setup.procedure, setup.legform, vehicle=setup.vehicle)
-    found = grade_criteria(measure_all(setup.procedure, simulated.recording), setup.corridors)
-    return {criterion.id: criterion for criterion in found if criterion.channel}
+    channels = setup.legform.channel_table
+    return {c.id: asked_criterion(c, setup.corridors, channels) for c in setup.procedure.criteria}
 
 
 def _sensor_errors(
-    sensors: Sequence[SensorUncertainty], criteria: Collection[CriterionResult]
+    sensors: Sequence[SensorUncertainty], criteria: Collection[AskedCriterion]
 ) -> dict[str, SensorError]:
     units = {c.channel: c.unit for c in criteria}
     found: dict[str, SensorError] = {}

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from certkit.bench.carried_results import carried_results
 from certkit.bench.setup import prepare
+from certkit.definitions.loading.library import load
 from certkit.documents.channel_curves import recording_of
 from certkit.errors import DataError, UsageError
 from certkit.grading import measure_all
@@ -65,7 +66,9 @@ def tested_legs(path: str | Path, sheet: Diagnosis, library: Sequence[Path]) -> 
 
 def _changes_of(result: Result, sheet: Diagnosis, library: Sequence[Path]) -> dict[str, str]:
     """Return the rig's values that the recording's conditions tell, where the procedure has them."""
-    known = dict(numbers_of(prepare(result.procedure, library=library).procedure))
+    if not any(name in result.conditions for name in sheet.conditions):
+        return {}
+    known = dict(numbers_of(load("procedure", result.procedure, library=library).document))
     changes = {}
     for condition, path in sheet.conditions.items():
         value = result.conditions.get(condition)

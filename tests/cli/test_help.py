@@ -40,3 +40,15 @@ def test_help_imports_nothing_heavy(arguments: list[str]) -> None:
     assert "Usage" in done.stdout
     loaded = set(done.stderr.split("LOADED", 1)[1].split())
     assert not loaded & HEAVY
+
+
+@pytest.mark.parametrize("command", ["calibrate", "study", "uncertainty"])
+def test_whatever_runs_on_a_cluster_can_prove_who_it_is(command: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "certkit", command, "anything", "--tls-ca-file", "ca.pem"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert "No such option" not in done.stderr

@@ -1,0 +1,76 @@
+"""What a criterion asks before anything is measured: channel, unit and limits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit.definitions.channels import TIME
+from certkit.definitions.corridor_set import ValueWindow
+from certkit.definitions.measures import MEASURES
+from certkit.grading.corridors import Corridor, find_corridor, limits
+from certkit.grading.trace import ordinate
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from certkit.definitions.channels import ChannelTable
+    from certkit.definitions.corridor_set import CorridorSet
+    from certkit.definitions.procedure import Criterion
+
+
+@dataclass(frozen=True)
+class AskedCriterion:
+    """A criterion of a procedure with the limits that its corridor sets.
+
+    Parameters
+    ----------
+    id, title : str
+    channel : str
+        Short name of the channel that is measured.
+    unit : str
+        Of value and limits, as reports have it.
+    lower, upper : float, optional
+        Limits in `unit`; a whole curve's value is its distance to the border, which has to be above zero.
+    graded : bool
+        Whether it counts for the verdict.
+    """
+
+    id: str
+    title: str
+    channel: str
+    unit: str
+    lower: float | None
+    upper: float | None
+    graded: bool
+
+
+def asked_criterion(
+    criterion: Criterion, corridors: Mapping[str, CorridorSet], channels: ChannelTable
+) -> AskedCriterion:
+    """Return what a criterion asks of a leg with these channels.
+
+    Raises
+    ------
+    UsageError
+        When criterion and corridor do not fit together (kinds, units).
+    """
+    found = find_corridor(criterion, corridors, channels)
+    channel = channels.name(ordinate(criterion))
+    kind = channels.find(channel)
+    dimension = TIME if MEASURES[criterion.measure].quantity == "time" else kind.dimension if kind else None
+    lower: float | None = None
+    upper: float | None = None
+    if isinstance(found, Corridor) and dimension is not None:
+        window = found.entry
+        lower, upper = limits(found, window, dimension) if isinstance(window, ValueWindow) else (0.0, None)
+    scale = 1.0 if dimension is None else dimension.scale
+    return AskedCriterion(
+        id=criterion.id,
+        title=criterion.title,
+        channel=channel,
+        unit="" if dimension is None else dimension.unit,
+        lower=None if lower is None else lower * scale,
+        upper=None if upper is None else upper * scale,
+        graded=isinstance(found, Corridor) or found.required,
+    )
