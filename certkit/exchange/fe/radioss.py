@@ -61,7 +61,7 @@ def part_histories(channels: Channels, units: Units, rigid_bodies: Mapping[str, 
     """
     source = channels.source
     require_consistent(channels)
-    notes: list[str] = []
+    notes = list(channels.notes)
     if channels.unread:
         notes.append(f"columns that are not read: {', '.join(channels.unread[:12])}")
     for name in rigid_bodies:

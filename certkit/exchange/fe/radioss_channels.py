@@ -26,6 +26,8 @@ class Channels:
         Whether contact channels are impulses (native file) or forces (converted CSV).
     unread : tuple of str
         Heads of columns that nothing is known of.
+    notes : tuple of str
+        What the reader has to say.
     """
 
     time: Values
@@ -37,3 +39,4 @@ class Channels:
     source: str
     digest: str
     unread: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()

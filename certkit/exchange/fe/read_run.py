@@ -148,7 +148,7 @@ def _open(paths: list[Path], layout: FiniteElements, stack: ExitStack) -> RunFil
             raise DataError(
                 f"{paths[1]}: an OpenRadioss run has one T01 here; name it in the mapping's `files`"
             )
-        return RadiossRun(paths[0], parse_units(layout.units))
+        return RadiossRun(paths[0], layout.units)
     if kind == "openradioss csv":
         raise DataError(
             f"{paths[0]}: a converted CSV has lost part of its names; grade the native file (…T01)"

@@ -13,16 +13,10 @@ import numpy as np
 
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes, require_finite, require_time_axis
-from certkit.exchange.fe.histories import match_one
-from certkit.exchange.fe.readers.openradioss_native import (
-    CONTACT_GROUP,
-    GLOBALS,
-    GROUP_VARIABLES,
-    NODE_GROUP,
-    FortranRecords,
-    read_directory,
-    read_instants,
-)
+from certkit.exchange.fe.fortran_records import FortranRecords
+from certkit.exchange.fe.histories import match_one, parse_units
+from certkit.exchange.fe.radioss_directory import read_directory, read_instants, require_units
+from certkit.exchange.fe.radioss_variables import GLOBALS, GROUP_VARIABLES, KINDS, SPRING_GROUP, is_impulse
 from certkit.exchange.fe.run_histories import Samples, combined, factor_of, growth_of_distance
 
 if TYPE_CHECKING:
@@ -32,53 +26,33 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.definitions.virtual_test import History
-    from certkit.exchange.fe.histories import Units
 
     Values = NDArray[np.float64]
 
-KINDS = {
-    "node": NODE_GROUP,
-    "brick": 1,
-    "quad": 2,
-    "shell": 3,
-    "truss": 4,
-    "beam": 5,
-    "spring": 6,
-    "contact": CONTACT_GROUP,
-    "section": 102,
-    "rigid body": 103,
-}
-"""Word of the mapping → number of a group's kind in the file."""
-
-IMPULSES = {
-    CONTACT_GROUP: frozenset({"FNX", "FNY", "FNZ", "FTX", "FTY", "FTZ"}),
-    102: frozenset(
-        {"FNX", "FNY", "FNZ", "FTX", "FTY", "FTZ", "F1", "F2", "F3", "M1", "M2", "M3", "MX", "MY", "MZ"}
-    ),
-    103: frozenset({"FX", "FY", "FZ", "MX", "MY", "MZ"}),
-}
-"""Variables of a kind that are impulses in the file."""
+_STRANDS = "100"
+"""Kind of strands in the file of titles; the history counts them as springs."""
 
 
 class RadiossRun:
     """Groups and global variables of one native file."""
 
-    def __init__(self, path: Path, units: Units) -> None:
+    def __init__(self, path: Path, units: str) -> None:
         """Read the file, and the names of its variables where they stand beside it.
 
         Raises
         ------
         DataError
-            For anything that is no whole, self-consistent file of this kind.
+            For anything that is no whole, self-consistent file of this kind, or one of other units.
         """
         content, digest = read_bytes(path)
-        self._units, self._source = units, str(path)
+        self._units, self._source = parse_units(units), str(path)
         self.files = {str(path): digest}
         records = FortranRecords(content, self._source)
         self._directory = read_directory(records, self._source)
+        require_units(self._directory, self._units, units, self._source)
         time, data = read_instants(records, self._directory, self._source)
         require_time_axis(time, self._source)
-        self._time = time * units.time
+        self._time = time * self._units.time
         self._globals = data[:, : len(self._directory.globals_)]
         first = len(self._directory.globals_) + sum(len(v) for _, v in self._directory.parts)
         self._groups = data[:, first + self._directory.subset_width :]
@@ -125,7 +99,7 @@ class RadiossRun:
         column = held[match_one(variable, held, "variable", f"{self._source}: {word} `{name}`")]
         values = self._groups[:, column]
         require_finite(values, f"{name} {variable}", self._source)
-        if variable in IMPULSES.get(kind, ()):
+        if is_impulse(kind, variable):
             values = rate_of(values, self._time / self._units.time)
         return Samples(self._time, values)
 
@@ -161,11 +135,20 @@ class RadiossRun:
         self.files[str(used)] = digest
         lines = content.decode("latin-1").splitlines()
         names = [line.strip() for line in lines[1::2]]
-        wanted = self._groups.shape[1]
-        if len(names) != wanted:
+        wanted = [
+            group.kind for group in self._directory.groups for _ in group.names for _ in group.variables
+        ]
+        if len(names) != len(wanted):
             raise DataError(
-                f"{used}: names {len(names)} variables, the history has {wanted}; copy both files of one run"
+                f"{used}: names {len(names)} variables, the history has {len(wanted)}; copy both "
+                "files of one run"
             )
+        for number, (told, kind) in enumerate(zip(lines[::2], wanted, strict=True)):
+            if told.strip() != str(kind) and (told.strip(), kind) != (_STRANDS, SPRING_GROUP):
+                raise DataError(
+                    f"{used}:{2 * number + 1}: kind {told.strip()} where the history has kind {kind}; "
+                    "copy both files of one run"
+                )
         return names
 
 
