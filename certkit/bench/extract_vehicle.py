@@ -71,5 +71,5 @@ def extract(
     )
     if procedure is None:
         return result
-    checks = self_checks(loaded.document, read, result, procedure=procedure, tell=tell)
-    return result.model_copy(update={"checks": checks}).with_id()
+    checks, motion = self_checks(loaded.document, read, result, procedure=procedure, tell=tell)
+    return result.model_copy(update={"checks": checks, "motion": motion}).with_id()

@@ -14,9 +14,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.bench.channel_checks import FREQUENCY_CLASS, POINTS, channel_checks, error_percent
 from certkit.bench.contact_places import recorded_forces
+from certkit.bench.front_frames import front_motion
+from certkit.bench.path_checks import path_checks
 from certkit.bench.setup import prepare
-from certkit.documents.extraction import ChannelCheck, GroupCheck, SelfCheck
+from certkit.documents.self_check import GroupCheck, SelfCheck
 from certkit.identification.vehicle_file import vehicle_text
 from certkit.signals.cfc import cfc
 
@@ -28,20 +31,16 @@ if TYPE_CHECKING:
     from certkit.bench.setup import Setup
     from certkit.definitions.extraction_case import Case
     from certkit.documents.extraction import ExtractionResult
+    from certkit.documents.front_motion import FrontMotion
     from certkit.exchange.fe import FrontData
-    from certkit.mechanics import Simulation
 
     Values = NDArray[np.float64]
 
 PROCEDURE = "vehicle-fe-front"
 UNTIL = 0.045
 """s: later a leg hardly touches a front."""
-POINTS = 200
-"""Of a series that is kept."""
 STILL = 0.1
 """Share of the largest movement of a face below which a face's error is not judged: it does not move."""
-FREQUENCY_CLASS = 180.0
-"""CFC of peaks and curves."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +83,7 @@ def self_checks(
     *,
     procedure: str | Path = PROCEDURE,
     tell: Callable[[str], None] = lambda _: None,
-) -> tuple[SelfCheck, ...]:
+) -> tuple[tuple[SelfCheck, ...], FrontMotion | None]:
     """Hold an extraction to its run.
 
     Parameters
@@ -102,6 +101,8 @@ def self_checks(
     -------
     tuple of SelfCheck
         The front alone; where the run tells what its leg did, also the leg alone and both.
+    FrontMotion or None
+        Of the last; None where there is none.
 
     Raises
     ------
@@ -112,7 +113,7 @@ def self_checks(
     until = UNTIL if settings.check_until is None else float(settings.check_until)
     run = _Run(result, data, min(until, result.times[-1]), settings.movement_limit)
     if not any(group.position is not None for group in result.groups) or not run.contacts:
-        return ()
+        return (), None
     with TemporaryDirectory() as folder:
         vehicle = Path(folder) / "vehicle.yaml"
         vehicle.write_text(vehicle_text(result), encoding="utf-8")
@@ -120,11 +121,12 @@ def self_checks(
     tell("self-check: the front alone")
     alone = _front_alone(run, setup)
     if not data.histories.leg:  # the impactor was no leg, or nothing is known of it
-        return (alone,)
+        return (alone,), None
     tell("self-check: the leg alone")
     leg = _leg_alone(run, setup)
     tell("self-check: leg and front")
-    return (alone, leg, _coupled(run, setup))
+    coupled, motion = _coupled(run, setup)
+    return (alone, leg, coupled), motion
 
 
 def _front_alone(run: _Run, setup: Setup) -> SelfCheck:
@@ -153,16 +155,16 @@ def _leg_alone(run: _Run, setup: Setup) -> SelfCheck:
         start=start,
         interval=interval,
         until=run.until,
-        channels=_channels(run, done),
+        channels=channel_checks(run.data, done, start=run.start, until=run.until),
     )
 
 
-def _coupled(run: _Run, setup: Setup) -> SelfCheck:
+def _coupled(run: _Run, setup: Setup) -> tuple[SelfCheck, FrontMotion | None]:
     from certkit.mechanics import simulate  # noqa: PLC0415  # a solver, only here
 
     done = simulate(setup.procedure, setup.legform, vehicle=setup.vehicle)
     front = done.front
-    if front is None:
+    if front is None or setup.vehicle is None:
         raise ValueError("a front is checked with a procedure that hits a vehicle")
     time = (
         run.start
@@ -187,15 +189,23 @@ def _coupled(run: _Run, setup: Setup) -> SelfCheck:
     left = impactor.momentum[run.time.size - 1]
     peaks = [float(cfc(values, interval, FREQUENCY_CLASS).max()) for values in (force, total)]
     wrong = sum(abs((g.impulse or 0.0) - (g.run_impulse or 0.0)) for g in check.groups)
-    return check.model_copy(
+    channels = channel_checks(run.data, done, start=run.start, until=run.until)
+    every = _axis(run)[2]
+    paths = path_checks(run.result, setup.vehicle, done, start=run.start, time=run.time, every=every)
+    motion = front_motion(
+        run.result, run.data.motion, done, setup.legform, moved, channels, time=run.time, start=run.start
+    )
+    whole = check.model_copy(
         update={
-            "channels": _channels(run, done),
-            "force_percent": _error(*peaks),
-            "impulse_percent": _error(impulse, wanted),
-            "rebound_percent": _error(impactor.momentum[0] - impulse, left) if left != 0 else None,
+            "channels": channels,
+            "paths": paths,
+            "force_percent": error_percent(*peaks),
+            "impulse_percent": error_percent(impulse, wanted),
+            "rebound_percent": error_percent(impactor.momentum[0] - impulse, left) if left != 0 else None,
             "wrong_group_percent": 50.0 * wrong / wanted if wanted > 0 else None,
         }
     )
+    return whole, motion
 
 
 def _checked(
@@ -211,9 +221,11 @@ def _checked(
         x, wanted = moved[group.name], np.array(group.displacement[: run.time.size])
         largest = float(np.max(np.abs(wanted)))
         more: dict[str, float] = {}
+        pressed: tuple[float, ...] = ()
         if forces is not None and group.name in run.contacts:
             force = forces.get(group.name, np.zeros_like(x))
             impulse, run_force = run.contacts[group.name]
+            pressed = tuple(map(float, force[::every]))
             more = {
                 "impulse": float(force.sum() * interval),
                 "run_impulse": float(impulse[-1]),
@@ -229,6 +241,7 @@ def _checked(
                 if largest > 0
                 else 0.0,
                 displacement=tuple(map(float, x[::every])),
+                force=pressed,
                 **more,
             )
         )
@@ -255,43 +268,7 @@ def _judged(run: _Run, groups: list[GroupCheck]) -> set[str]:
     return {g.name for g in groups if g.name in faces and g.run_peak >= STILL * most}
 
 
-def _channels(run: _Run, done: Simulation) -> tuple[ChannelCheck, ...]:
-    """Compare the leg's channels, filtered, from first contact to the checks' end."""
-    interval = done.recording.interval
-    time = done.recording.time
-    time = time[time + run.start <= run.until]
-    every = max(1, time.size // POINTS)
-    checks = []
-    for name, values in run.data.histories.leg.items():
-        if name not in done.recording.channels:
-            continue
-        wanted = cfc(np.interp(time + run.start, run.data.histories.time, values), interval, FREQUENCY_CLASS)
-        got = cfc(done.recording[name].values, interval, FREQUENCY_CLASS)[: time.size]
-        i, j = int(np.argmax(got)), int(np.argmax(wanted))
-        largest = float(wanted[j])
-        if largest <= 0:
-            continue
-        checks.append(
-            ChannelCheck(
-                name=name,
-                peak=float(got[i]),
-                run_peak=largest,
-                time=float(time[i] + run.start),
-                run_time=float(time[j] + run.start),
-                error_percent=_error(float(got[i]), largest),
-                rms_percent=100 * float(np.sqrt(np.mean((got - wanted) ** 2))) / largest,
-                values=tuple(map(float, got[::every])),
-                run_values=tuple(map(float, wanted[::every])),
-            )
-        )
-    return tuple(sorted(checks, key=lambda c: -c.rms_percent))
-
-
 def _axis(run: _Run) -> tuple[float, float, int]:
     """Return start and interval of the series that are kept, and of how many instants one is."""
     every = max(1, run.time.size // POINTS)
     return float(run.time[0]), float(run.time[1] - run.time[0]) * every, every
-
-
-def _error(value: float, reference: float) -> float:
-    return 100.0 * (value / reference - 1.0) if reference != 0 else 0.0

@@ -10,7 +10,8 @@ import typer
 from certkit.cli import options  # noqa: TC001  # typer reads annotations
 
 if TYPE_CHECKING:
-    from certkit.documents.extraction import ExtractionResult, SelfCheck
+    from certkit.documents.extraction import ExtractionResult
+    from certkit.documents.self_check import SelfCheck
 
 DEFAULT_FORMATS = "html,pdf"
 DEFAULT_PROCEDURE = "vehicle-fe-front"

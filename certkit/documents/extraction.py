@@ -11,8 +11,10 @@ from typing import Annotated, ClassVar, Literal, Self
 from pydantic import AfterValidator, Field, model_validator
 
 from certkit.documents.consistent_lists import check_axis, check_lengths, plain_name
+from certkit.documents.front_motion import FrontMotion
 from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.rounding import Figure, FigureTuple
+from certkit.documents.self_check import SelfCheck
 
 
 class OutlineResult(Part):
@@ -114,77 +116,6 @@ class MaterialResult(Part):
     spread_percent: Figure | None
 
 
-class GroupCheck(Part):
-    """A group in a self-check: largest movement (m), rms error of its movement over that of the run (%).
-
-    In the coupled run also the impulse (N·s) that the leg passed to it, and the contact's work on it (J).
-    """
-
-    name: str
-    peak: Figure
-    run_peak: Figure
-    rms_percent: Figure
-    displacement: FigureTuple
-    impulse: Figure | None = None
-    run_impulse: Figure | None = None
-    work: Figure | None = None
-    run_work: Figure | None = None
-
-
-class ChannelCheck(Part):
-    """A channel of the leg in a self-check, CFC 180: peaks (N·m or m), their times (s), rms error (%)."""
-
-    name: str
-    peak: Figure
-    run_peak: Figure
-    time: Figure
-    run_time: Figure
-    error_percent: Figure
-    rms_percent: Figure
-    values: FigureTuple
-    run_values: FigureTuple
-
-
-class SelfCheck(Part):
-    """The extraction held to the run that it came from.
-
-    Parameters
-    ----------
-    id : str
-        `front alone` (driven by the run's contact forces), `leg alone` (likewise) or `coupled`.
-    title : str
-    start, interval, until : float
-        Time axis of the series, from the run's start; the end of the comparison, s.
-    groups : tuple of GroupCheck
-        Faces that move first, the worst of them at the head.
-    channels : tuple of ChannelCheck
-        The worst first.
-    mean_percent, worst_percent : float or None
-        Mean and largest rms error of the faces' movement.
-    force_percent, impulse_percent, rebound_percent : float or None
-        Errors of the largest contact force, of its impulse and of the leg's speed at the end.
-    wrong_group_percent : float or None
-        Impulse that acts on another group than in the run, over the whole impulse.
-    within : bool or None
-        Whether the movement stays within the case's limits; None where nothing moves.
-    """
-
-    id: str
-    title: str
-    start: Figure
-    interval: Figure
-    until: Figure
-    groups: tuple[GroupCheck, ...] = ()
-    channels: tuple[ChannelCheck, ...] = ()
-    mean_percent: Figure | None = None
-    worst_percent: Figure | None = None
-    force_percent: Figure | None = None
-    impulse_percent: Figure | None = None
-    rebound_percent: Figure | None = None
-    wrong_group_percent: Figure | None = None
-    within: bool | None = None
-
-
 class ExtractionResult(OutputDocument):
     """What an extraction found.
 
@@ -208,6 +139,8 @@ class ExtractionResult(OutputDocument):
         Whether the impulse of every path that carries something closes within the case's limit; None where
         a path with a law is known from one side only, so that nothing tells.
     checks : tuple of SelfCheck
+    motion : FrontMotion or None
+        Faces and leg of the run and of the coupled model, at the same instants.
     """
 
     noun: ClassVar = "extraction"
@@ -231,6 +164,7 @@ class ExtractionResult(OutputDocument):
     certkit: str = ""
     closed: bool | None = None
     checks: tuple[SelfCheck, ...] = ()
+    motion: FrontMotion | None = None
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from certkit.documents.face_outline import outline_at
 from certkit.reporting.charts.grid import side_by_side
 from certkit.reporting.charts.lines import Line, lines_chart
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from certkit.documents.extraction import (
-        ChannelCheck,
-        ExtractionResult,
-        GroupResult,
-        OutlineResult,
-        SelfCheck,
-    )
+    from certkit.documents.extraction import ExtractionResult
+    from certkit.documents.self_check import ChannelCheck, SelfCheck
     from certkit.reporting.svg import Drawing
 
 WIDTH, HEIGHT = 360.0, 220.0
@@ -64,6 +57,18 @@ def channel_words(name: str) -> str:
     return f"{kind} {name[1:]}" if kind and name[1:].isdigit() else f"{name} elongation"
 
 
+def channel_scale(name: str) -> tuple[float, str]:
+    """Return the factor from SI to a channel's unit as it is shown, and that unit."""
+    return (1e3, "mm") if name.endswith("CL") else (1.0, "N·m")
+
+
+def channel_times(check: SelfCheck, channel: ChannelCheck) -> list[float]:
+    """Return the instants of a channel's values, ms."""
+    start = check.start if channel.start is None else channel.start
+    step = channel.interval or (check.until - start) / max(len(channel.values) - 1, 1)
+    return [1e3 * (start + k * step) for k in range(len(channel.values))]
+
+
 def _axis(check: SelfCheck, count: int) -> list[float]:
     return [1e3 * (check.start + k * check.interval) for k in range(count)]
 
@@ -88,15 +93,14 @@ def _movement(result: ExtractionResult, check: SelfCheck) -> list[Drawing]:
 
 
 def _channel(check: SelfCheck, channel: ChannelCheck) -> Drawing:
-    moment = not channel.name.endswith("CL")
-    scale, unit = (1.0, "N·m") if moment else (1e3, "mm")
-    step = (check.until - check.start) / max(len(channel.values) - 1, 1)
-    times = [1e3 * (check.start + k * step) for k in range(len(channel.values))]
+    scale, unit = channel_scale(channel.name)
+    times = channel_times(check, channel)
     lines: list[Line] = [
         ("run", times, [scale * v for v in channel.run_values]),
         ("model", times, [scale * v for v in channel.values]),
     ]
-    words = channel_words(channel.name).capitalize()
+    words = channel_words(channel.name)
+    words = words[0].upper() + words[1:]
     return lines_chart(lines, words, "ms", unit, width=WIDTH, height=HEIGHT)
 
 
@@ -126,41 +130,3 @@ def _profiles(result: ExtractionResult, check: SelfCheck) -> Drawing | None:
         title = f"Faces at {1e3 * instant:.0f} ms"
         panels.append(lines_chart(lines, title, "height, mm", "mm", width=WIDTH, height=HEIGHT))
     return side_by_side(panels, "Faces of run and model")
-
-
-def outline_at(group: GroupResult, history: Sequence[float]) -> list[tuple[float, float]]:
-    """Return a face's points (x, z) in m after a history of its group's displacement, m."""
-    largest = max(max(history, default=0.0), 0.0)
-    points = _between(group.outlines, largest)
-    if group.springing_back and largest > 0:
-        last = group.outlines[-1].points
-        returning = [*group.springing_back]
-        share = history[-1] / largest
-        back = _between(returning, share) if share <= returning[-1].at else last
-        if share > returning[-1].at:
-            weight = (1 - share) / (1 - returning[-1].at) if returning[-1].at < 1 else 0.0
-            back = tuple(
-                ((1 - weight) * a + weight * c, (1 - weight) * b + weight * d)
-                for (a, b), (c, d) in zip(last, returning[-1].points, strict=True)
-            )
-        scale = largest - group.outlines[-1].at
-        points = tuple(
-            (x + bx - lx + scale * (share - 1), z + bz - lz)
-            for (x, z), (bx, bz), (lx, lz) in zip(points, back, last, strict=True)
-        )
-    return list(points)
-
-
-def _between(lines: Sequence[OutlineResult], at: float) -> tuple[tuple[float, float], ...]:
-    """Return the outline between two that are known; the last is carried on by the displacement."""
-    places = [line.at for line in lines]
-    k = bisect_right(places, at)
-    if k == 0:
-        return lines[0].points
-    if k == len(lines):
-        return tuple((x + at - places[-1], z) for x, z in lines[-1].points)
-    share = (at - places[k - 1]) / (places[k] - places[k - 1])
-    return tuple(
-        ((1 - share) * a + share * c, (1 - share) * b + share * d)
-        for (a, b), (c, d) in zip(lines[k - 1].points, lines[k].points, strict=True)
-    )

@@ -14,8 +14,12 @@ from certkit.errors import MissingPartError
 from certkit.files import write_whole
 from certkit.reporting.attachments import Enclosure
 from certkit.reporting.charts.extraction_charts import material_chart, momentum_chart, path_charts
+from certkit.reporting.charts.run_and_model import leg_colours, run_and_model
 from certkit.reporting.extraction_checks import check_views
+from certkit.reporting.extraction_data import extraction_payload
+from certkit.reporting.html_report import SCRIPTS
 from certkit.reporting.left_out import leave_out
+from certkit.reporting.page_data import embedded
 from certkit.reporting.pdf_engine import typeset
 from certkit.reporting.pdf_report import creation_date
 from certkit.reporting.static_page import static_page
@@ -63,7 +67,15 @@ def render_extraction(result: ExtractionResult, out: Path, formats: Collection[s
 
 def extraction_page(result: ExtractionResult) -> str:
     """Return the page."""
-    return static_page("extraction.html.j2", result.title, **_parts(result))
+    parts = _parts(result)
+    data = extraction_payload(result, parts["worst"])
+    return static_page(
+        "extraction.html.j2",
+        result.title,
+        scripts=SCRIPTS if data else (),
+        data=embedded(data) if data else None,
+        **parts,
+    )
 
 
 def extraction_pdf(result: ExtractionResult) -> bytes:
@@ -90,4 +102,15 @@ def _parts(result: ExtractionResult) -> dict[str, Any]:
         ],
         "material": material_chart(result.material) if result.material else None,
         "checks": check_views(result),
+        "worst": _worst(result),
+        "stills": run_and_model(result.motion) if result.motion else None,
+        "colours": leg_colours(result.motion) if result.motion else None,
     }
+
+
+def _worst(result: ExtractionResult) -> str | None:
+    """Return the group whose movement in the coupled run, else in that of the front alone, errs most."""
+    for check in reversed(result.checks):
+        if check.groups:
+            return check.groups[0].name
+    return None

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 from certkit.reporting.extraction_checks import channel_words
 
 if TYPE_CHECKING:
-    from certkit.documents.extraction import ExtractionResult, SelfCheck
+    from certkit.documents.extraction import ExtractionResult
+    from certkit.documents.self_check import SelfCheck
 
 HEADS = ("channel, CFC 180", "in the run", "model", "error", "later by", "curve, rms of peak")
 

@@ -52,6 +52,7 @@ FIGURES = MappingProxyType(
             "force": FigureEntry("extraction_charts:force", "force of load paths over time"),
             "stiffness": FigureEntry("extraction_charts:stiffness", "force over shortening"),
             "material": FigureEntry("extraction_charts:material", "stress over strain"),
+            "frames": FigureEntry("run_and_model:draw", "run and model at a few instants"),
         },
     }
 )

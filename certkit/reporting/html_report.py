@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from certkit.reporting.result_view import View
 
 _LANGUAGE = re.compile(rb'<html lang="([a-z]{2})">')
-_SCRIPTS = ("scripts/curves.js", "scripts/motion.js", "scripts/page.js")
+SCRIPTS = ("scripts/curves.js", "scripts/motion.js", "scripts/page.js")
 
 
 FILE = "report.html"
@@ -69,13 +69,13 @@ def _page(
     views: Sequence[View], index: Sequence[dict[str, object]], title: str, head: SuiteHead | None = None
 ) -> str:
     style = page_style()
-    script = "(() => {\n" + "\n".join(text(name) for name in _SCRIPTS) + "})();"
+    script = joined(SCRIPTS)
     return fill(
         "page.html.j2",
         spoken=views[0].spoken.code,
         title=title,
         version=__version__,
-        policy=_policy(style, script),
+        policy=policy(style, script),
         style=style,
         script=script,
         index=index,
@@ -97,12 +97,22 @@ def page_style() -> str:
     return style
 
 
-def _policy(style: str, script: str) -> str:
+def joined(scripts: Sequence[str]) -> str:
+    """Return files of the templates' folder as one script."""
+    return "(() => {\n" + "\n".join(text(name) for name in scripts) + "})();"
+
+
+def policy(style: str, script: str) -> str:
     """Return the content security policy: no network, no code but ours."""
-    hashes = [base64.b64encode(hashlib.sha256(part.encode()).digest()).decode() for part in (style, script)]
+    hashed = {
+        name: base64.b64encode(hashlib.sha256(part.encode()).digest()).decode()
+        for name, part in (("style", style), ("script", script))
+        if part
+    }
     return (
-        f"default-src 'none'; style-src 'sha256-{hashes[0]}'; script-src 'sha256-{hashes[1]}'; "
-        "font-src data:; img-src data:; base-uri 'none'; form-action 'none'"
+        "default-src 'none'; "
+        + "".join(f"{name}-src 'sha256-{digest}'; " for name, digest in hashed.items())
+        + "font-src data:; img-src data:; base-uri 'none'; form-action 'none'"
     )
 
 

@@ -1,14 +1,15 @@
-"""Pages without a script: comparisons and logbooks, in the report's own style."""
+"""Pages that are shown as they are, in the report's own style; some with a script of ours."""
 
 from __future__ import annotations
 
-import base64
-import hashlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from certkit._version import __version__
-from certkit.reporting.html_report import page_style
+from certkit.reporting.html_report import joined, page_style, policy
 from certkit.reporting.templating import fill
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 
 def static_page(
@@ -16,6 +17,7 @@ def static_page(
     title: str,
     *,
     more_style: str = "",
+    scripts: Sequence[str] = (),
     **values: Any,  # noqa: ANN401  # templates take anything
 ) -> str:
     """Fill a template that extends `static-page.html.j2`.
@@ -28,13 +30,19 @@ def static_page(
         Title of the page.
     more_style : str
         Rules beside the style of all pages.
+    scripts : sequence of str
+        Files of the templates' folder that run in the page, one after the other.
     values : object
         What the template shows; escaped, except drawings that it marks as our own.
     """
     style = page_style() + more_style
-    digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
-    policy = (
-        f"default-src 'none'; style-src 'sha256-{digest}'; font-src data:; img-src data:; "
-        "base-uri 'none'; form-action 'none'"
+    script = joined(scripts) if scripts else ""
+    return fill(
+        template,
+        title=title,
+        version=__version__,
+        policy=policy(style, script),
+        style=style,
+        script=script,
+        **values,
     )
-    return fill(template, title=title, version=__version__, policy=policy, style=style, **values)

@@ -1,7 +1,9 @@
-// The moving picture: shapes on recorded poses, coloured by bending moment, with gauges that follow.
+// The moving picture: shapes on recorded poses and lines through recorded points, coloured by bending moment,
+// with gauges that follow. A player has one stage or several; a stage names whose lines it shows.
 const ANCHORS = [[8, 69, 148], [107, 163, 209], [232, 230, 224], [240, 155, 84], [166, 47, 14]];
 const ORDER = ["ground", "rig", "flesh", "mass", "knee", "bone", "honeycomb", "ram", "vehicle"];
 const SECONDS = 8; // the whole test at speed 1
+const STILLS = 9; // instants that are shown instead of a motion
 
 function diverging(fraction) {
   const place = (Math.min(1, Math.max(-1, fraction)) + 1) * 2;
@@ -11,10 +13,13 @@ function diverging(fraction) {
 }
 
 // One row a frame from one column a coordinate, each column written as the steps of its steps.
-function unpacked(motion) {
-  const columns = motion.poses.map((column) => summed(summed(column)));
-  return motion.times.map((_, frame) => columns.map((column) => column[frame]));
+function unpacked(columns, times) {
+  const whole = columns.map((column) => summed(summed(column)));
+  return times.map((_, frame) => whole.map((column) => column[frame]));
 }
+
+// A value between two frames.
+const mixed = (row, other, k, part) => row[k] * (1 - part) + other[k] * part;
 
 function drawnShape(shape, fill, parent) {
   const data = "M" + shape.outline.map(([a, b]) => `${a * 1000} ${-b * 1000}`).join("L") + (shape.closed ? "z" : "");
@@ -23,17 +28,61 @@ function drawnShape(shape, fill, parent) {
   }, parent);
 }
 
+// Returns what draws an instant: frame, the next one, and the part of the way between them.
 function setUpStage(stage, motion) {
   const [left, right, low, high] = motion.box.map((v) => v * 1000);
   const svg = element("svg", {
-    viewBox: `${left} ${-high} ${right - left} ${high - low}`, role: "img", "aria-label": "Legform and rig in motion",
+    viewBox: `${left} ${-high} ${right - left} ${high - low}`, role: "img", "aria-label": stage.dataset.words || "Legform and rig in motion",
   }, stage);
+  const sides = (stage.dataset.stage || "").split(" ");
+  const frames = unpacked(motion.poses, motion.times);
   for (const shape of motion.scene) drawnShape(shape, motion.fill[shape.kind], svg);
   const sorted = motion.shapes.map((shape, index) => ({ shape, index }));
   sorted.sort((a, b) => ORDER.indexOf(a.shape.kind) - ORDER.indexOf(b.shape.kind) || a.index - b.index);
-  return sorted.map(({ shape, index }) => ({
-    index, joint: motion.moments.length ? motion.joints.indexOf(shape.name) : -1, path: drawnShape(shape, motion.fill[shape.kind], svg),
-  }));
+  const drawn = sorted.map(({ shape, index: body }) => {
+    const path = drawnShape(shape, motion.fill[shape.kind], svg);
+    const joint = motion.moments.length ? motion.joints.indexOf(shape.name) : -1;
+    return (index, next, part) => {
+      const [x, z, angle] = [0, 1, 2].map((k) => mixed(frames[index], frames[next], 3 * body + k, part) * motion.unit);
+      path.setAttribute("transform", `translate(${(x * 1000).toFixed(2)} ${(-z * 1000).toFixed(2)}) rotate(${((-angle * 180) / Math.PI).toFixed(3)})`);
+      if (joint >= 0) path.setAttribute("fill", diverging(mixed(motion.moments[index], motion.moments[next], joint, part) / motion.peak));
+    };
+  });
+  for (const line of motion.lines || []) {
+    for (const side of sides) if (line[side]) drawn.push(drawnLine(line, side, sides.length > 1, motion, svg));
+  }
+  return drawn;
+}
+
+// A line through moving points; a leg alone on its stage is coloured piece by piece.
+function drawnLine(line, side, several, motion, svg) {
+  const frames = unpacked(line[side].places, motion.times);
+  const moments = several ? null : line[side].moments;
+  const css = `m-${line.kind}${several ? ` m-${side}` : ""}${line.marked && !several ? " m-marked" : ""}`;
+  const path = element("path", { class: css, "data-line": line.name }, svg);
+  const ground = moments ? element("path", { class: "m-piece", stroke: diverging(0) }, svg) : null;
+  const pieces = moments ? moments[0].map(() => element("path", { class: "m-piece" }, svg)) : [];
+  const name = line.words && !several ? element("text", { class: `m-name${line.marked ? " m-marked" : ""}`, "aria-hidden": "true" }, svg) : null;
+  if (name) name.textContent = line.words;
+  return (index, next, part) => {
+    const points = [];
+    for (let k = 0; k < frames[0].length; k += 2) {
+      points.push([0, 1].map((c) => mixed(frames[index], frames[next], k + c, part) * motion.unit * 1000));
+    }
+    const written = points.map(([x, z]) => `${x.toFixed(1)} ${(-z).toFixed(1)}`);
+    path.setAttribute("d", `M${written.join("L")}${line.closed ? "z" : ""}`);
+    if (ground) ground.setAttribute("d", path.getAttribute("d"));
+    pieces.forEach((piece, k) => {
+      piece.setAttribute("d", `M${written[k]}L${written[k + 1]}`);
+      piece.setAttribute("stroke", diverging(mixed(moments[index], moments[next], k, part) / motion.peak));
+    });
+    if (!name) return;
+    const [x, z] = line.closed
+      ? [0, 1].map((c) => points.reduce((sum, point) => sum + point[c], 0) / points.length)
+      : points[Math.floor((points.length - 1) / 2)];
+    name.setAttribute("x", (x + (line.closed ? -12 : 14)).toFixed(1));
+    name.setAttribute("y", (8 - z).toFixed(1));
+  };
 }
 
 function setUpGauges(body, data) {
@@ -46,6 +95,8 @@ function setUpGauges(body, data) {
     const value = row.appendChild(head) && row.insertCell();
     value.className = "n";
     value.dataset.gauge = channel.name;
+    const beside = channel.model ? row.insertCell() : null;
+    if (beside) beside.className = "n";
     const unit = row.insertCell();
     unit.className = "unit";
     unit.textContent = channel.unit;
@@ -59,10 +110,16 @@ function setUpGauges(body, data) {
       corridor.style.right = `calc(100% - ${share(channel.limits[1])})`;
     }
     const needle = meter.appendChild(document.createElement("b"));
+    const other = channel.model ? meter.appendChild(document.createElement("b")) : null;
+    if (other) other.className = "second";
     return (time) => {
       const now = valueAt(channel, data.axis, time);
       value.textContent = written(now, channel.decimals);
       needle.style.left = share(now);
+      if (!other) return;
+      const there = valueAt({ values: channel.model }, data.axis, time);
+      beside.textContent = written(there, channel.decimals);
+      other.style.left = share(there);
     };
   });
 }
@@ -73,10 +130,9 @@ function setUpMotion(report, data, shared) {
   if (!player || !motion) return;
   player.hidden = false;
   report.querySelector("[data-stills]").hidden = true;
-  const frames = unpacked(motion);
   const last = motion.times[motion.times.length - 1];
   const first = motion.times[0];
-  const parts = setUpStage(player.querySelector("[data-stage]"), motion);
+  const parts = [...player.querySelectorAll("[data-stage]")].flatMap((stage) => setUpStage(stage, motion));
   const gauges = data.axis ? setUpGauges(player.querySelector("[data-gauges]"), data) : [];
   const clock = player.querySelector("[data-time]");
   const scrub = player.querySelector("[data-scrub]");
@@ -93,31 +149,29 @@ function setUpMotion(report, data, shared) {
     const index = Math.max(0, next - 1);
     const gap = motion.times[next] - motion.times[index];
     const part = gap > 0 ? (time - motion.times[index]) / gap : 0;
-    const mix = (row, other, k) => row[k] * (1 - part) + other[k] * part;
-    for (const { index: body, joint, path } of parts) {
-      const [x, z, angle] = [0, 1, 2].map((k) => mix(frames[index], frames[next], 3 * body + k) * motion.unit);
-      path.setAttribute("transform", `translate(${(x * 1000).toFixed(2)} ${(-z * 1000).toFixed(2)}) rotate(${((-angle * 180) / Math.PI).toFixed(3)})`);
-      if (joint >= 0) path.setAttribute("fill", diverging(mix(motion.moments[index], motion.moments[next], joint) / motion.peak));
-    }
+    for (const draw of parts) draw(index, next, part);
     for (const gauge of gauges) gauge(shared.time);
     clock.textContent = written(shared.time, 1);
     scrub.value = shared.time;
     scrub.setAttribute("aria-valuetext", `${written(shared.time, 1)} milliseconds`);
   }
 
+  const steady = matchMedia("(prefers-reduced-motion: reduce)");
   let running = 0;
   let before = 0;
+  let reached = first;
   function tick(now) {
     if (!running) return;
     const rate = ((last - first) / (SECONDS * 1000)) * Number(speed.value);
-    const time = shared.time + (before ? (now - before) * rate : 0);
+    reached += before ? (now - before) * rate : 0;
     before = now;
-    if (time >= last) {
+    if (reached >= last) {
       shared.goTo(last);
       stop();
       return;
     }
-    shared.goTo(time);
+    // Who asked for less motion is shown a few instants one after the other.
+    if (!steady.matches || reached - shared.time >= (last - first) / STILLS) shared.goTo(reached);
     running = requestAnimationFrame(tick);
   }
   function stop() {
@@ -132,6 +186,7 @@ function setUpMotion(report, data, shared) {
     }
     if (shared.time >= last - 1e-9) shared.goTo(first);
     before = 0;
+    reached = shared.time;
     play.textContent = "❚❚ Pause";
     running = requestAnimationFrame(tick);
   });
@@ -146,6 +201,13 @@ function setUpMotion(report, data, shared) {
       const later = motion.times.find((t) => t > shared.time + 1e-6);
       const earlier = motion.times.filter((t) => t < shared.time - 1e-6).pop();
       shared.goTo((forward ? later : earlier) ?? (forward ? last : first));
+    });
+  }
+  const overlay = player.querySelector("[data-overlay]");
+  if (overlay) {
+    overlay.addEventListener("click", () => {
+      const laid = player.toggleAttribute("data-laid-over");
+      overlay.setAttribute("aria-pressed", String(laid));
     });
   }
   const told = player.querySelector("[data-slow]");

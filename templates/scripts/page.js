@@ -54,6 +54,7 @@ for (const report of document.querySelectorAll("[data-report]")) {
   for (const channel of data.channels) {
     const unit = 10 ** (channel.decimals + 1);
     channel.values = summed(channel.steps).map((v) => v / unit);
+    if (channel.model) channel.model = summed(channel.model).map((v) => v / unit);
   }
   const shared = setUpShared(data);
   setUpCurves(report, data, shared);

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
-from support import synthetic_campaign, synthetic_result
+from support import synthetic_campaign, synthetic_extraction, synthetic_result
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -36,6 +36,7 @@ def browser() -> Iterator[Browser]:
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Write the pages that all tests look at."""
     from certkit.reporting.campaign_page import campaign_page  # noqa: PLC0415  # likewise
+    from certkit.reporting.extraction_report import extraction_page  # noqa: PLC0415  # likewise
     from certkit.reporting.html_report import page, suite_page  # noqa: PLC0415  # the browser tests alone need it
     from certkit.reporting.result_view import unique_views, view  # noqa: PLC0415  # likewise
 
@@ -49,4 +50,5 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
         (place / f"{name}.html").write_text(page(view(result)))
     (place / "suite.html").write_text(suite_page(unique_views(list(results.values()))))
     (place / "campaign.html").write_text(campaign_page(synthetic_campaign.campaign()))
+    (place / "extraction.html").write_text(extraction_page(synthetic_extraction.extraction()))
     return place

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 pytestmark = pytest.mark.browser
 
-PAGES = ["pendulum", "static", "measured", "suite", "campaign"]
+PAGES = ["pendulum", "static", "measured", "suite", "campaign", "extraction"]
 
 
 class Watched:
@@ -199,3 +199,36 @@ def test_paper_shows_key_frames_and_no_controls(pendulum: Page) -> None:
     assert not pendulum.locator("[data-player]").is_visible()
     assert not pendulum.locator("[data-tools]").is_visible()
     assert pendulum.locator("button:visible").count() == 0
+
+
+def test_run_and_model_move_together_and_lie_over_each_other_when_asked(
+    browser: Browser, folder: Path
+) -> None:
+    watched = opened(browser, folder, "extraction")
+    page = watched.page
+    lines = page.locator('[data-line="F2"]')
+    before = [lines.nth(k).get_attribute("d") for k in range(lines.count())]
+    page.locator("[data-scrub]").focus()
+    page.keyboard.press("PageUp")
+    assert all(lines.nth(k).get_attribute("d") != before[k] for k in range(lines.count()))
+    assert float(page.locator("[data-time]").inner_text()) > 0
+    both = page.get_by_role("img", name="one over the other")
+    assert not both.is_visible()
+    page.get_by_role("button", name="One over the other").click()
+    assert both.is_visible()
+    assert watched.said == []
+    page.context.close()
+
+
+def test_who_asks_for_less_motion_sees_a_few_instants(browser: Browser, folder: Path) -> None:
+    page = opened(browser, folder, "extraction", reduced_motion="reduce").page
+    page.evaluate(
+        "() => { window.seen = new Set(); const line = document.querySelector('[data-line=leg]');"
+        "const see = () => window.seen.add(line.getAttribute('d'));"
+        "new MutationObserver(see).observe(line, {attributes: true}); }"
+    )
+    page.locator("[data-speed]").select_option("4")
+    page.get_by_role("button", name="Play").click()
+    page.wait_for_function("() => document.querySelector('[data-play]').textContent.includes('Play')")
+    assert 3 <= page.evaluate("() => window.seen.size") <= 10
+    page.context.close()

@@ -17,7 +17,7 @@ from certkit.identification import ExtractionResult
 from certkit.identification.five_steps import extract
 
 if TYPE_CHECKING:
-    from certkit.documents.extraction import SelfCheck
+    from certkit.documents.self_check import SelfCheck
 
 FRONT = Path(__file__).parents[2] / "examples/extract/front1"
 FACES = {"F1", "F2", "F3", "F4", "F5", "F6", "F7", "H1"}

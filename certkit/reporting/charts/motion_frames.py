@@ -152,15 +152,14 @@ def frames_chart(
         drawn += draw_frame(motion, frame, x, y)
     total = -(-len(frames) // columns) * (height + 24)
     if motion.moments:
-        drawn += colour_key(motion, 6, total + 6, 180)
+        drawn += colour_key(largest_moment(motion), motion.unit, 6, total + 6, 180)
         total += 32
     listed = ", ".join(fixed(motion.times[f] * 1e3, 1) for f in frames)
     return Drawing(width, total, drawn, f"Legform and rig at {listed} ms, coloured by bending moment")
 
 
-def colour_key(motion: Motion, x: float, y: float, width: float) -> str:
-    """Draw the colour scale with its ends and its unit."""
-    peak = largest_moment(motion)
+def colour_key(peak: float, unit: str, x: float, y: float, width: float) -> str:
+    """Draw the colour scale of bending moments with its ends, ±`peak`, and its unit."""
     cells = 24
     drawn = "".join(
         tag(
@@ -178,5 +177,5 @@ def colour_key(motion: Motion, x: float, y: float, width: float) -> str:
         drawn += label(
             x + width * fraction, y + 20, value, text_anchor=anchor, fill=palette.MUTED, class_="tick"
         )
-    words = f"bending moment, {motion.unit}"
+    words = f"bending moment, {unit}"
     return drawn + label(x + width + 10, y + 8, words, fill=palette.MUTED, class_="tick")

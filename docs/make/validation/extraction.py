@@ -13,7 +13,7 @@ from docs.make.markdown import signed, table
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from certkit.documents.extraction import SelfCheck
+    from certkit.documents.self_check import SelfCheck
     from certkit.identification import ExtractionResult
 
 CASES = ("bumper-reference", "bumper-compliant-beam", "bumper-rate-dependent-foam", "bumper-local-crush")
