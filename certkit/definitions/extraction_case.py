@@ -10,6 +10,7 @@ from certkit.definitions.base import Section
 from certkit.definitions.provenance import Length, Mass, Ratio, Time
 
 Format = Literal["openradioss native", "openradioss csv", "ls-dyna binout", "tidy csv"]
+"""Formats, each a file in `certkit.exchange.fe.readers`; a file that none of them knows is a tidy table."""
 
 _MAPPING_NEEDED = "a tidy csv needs `parts`: which column holds which part's momentum"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fnmatch import fnmatch
 from typing import TYPE_CHECKING
 
 from certkit.definitions.loading.channel_tables import default_channels
@@ -54,7 +55,9 @@ def read_recording(
         return read_mme(path, mapping, lenient=lenient, tables=tables)
     if path.suffix.lower() in {".csv", ".txt", ".tsv"} or (mapping and mapping.csv):
         return read_csv(path, mapping, lenient=lenient, tables=tables)
-    if path.name.startswith("binout") or path.name.removesuffix(".gz").endswith("T01"):
+    from certkit.exchange.fe.readers import usual_files  # noqa: PLC0415  # only where nothing else fits
+
+    if any(fnmatch(path.name, pattern) for usual in usual_files() for pattern in usual):
         raise DataError(
             f"{path}: a finite-element run; say with --mapping which of its histories are channels (`finite "
             "elements`)"

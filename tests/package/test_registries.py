@@ -8,7 +8,7 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 import pytest
@@ -18,13 +18,16 @@ import certkit.grading.measures as measure_files
 import certkit.reporting
 import certkit.studies.designs as design_files
 from certkit.definitions.base import Section
+from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.extraction_case import Format, HistoryFiles
 from certkit.definitions.fixtures import FIXTURES, RIG_CHANNELS
 from certkit.definitions.legform_parts import Ligament
+from certkit.definitions.loading.validation import read_document
 from certkit.definitions.measures import MEASURES, MeasureKind
 from certkit.definitions.study import DESIGNS, Design, DesignKind
 from certkit.exchange.codes import shipped_table
 from certkit.exchange.fe import read_case_data
+from certkit.exchange.read import read_recording
 from certkit.grading.measure import NoInterval, measure
 from certkit.grading.measures import method_of
 from certkit.grading.trace import EvaluationWindow
@@ -181,35 +184,73 @@ def test_formats_of_finite_element_histories_are_named_in_one_place():
     words = {word.replace(" ", "_").replace("-", "_") for word in get_args(Format)}
     assert words == files("exchange/fe/readers")
     said = saying(set(get_args(Format)), "definitions/extraction_case.py")
-    # A virtual test's run is opened by what its files hold, and a tidy table alone has columns.
-    others = ("exchange/fe/read_run.py: ", "definitions/virtual_test.py: tidy csv")
-    assert [place for place in said if not place.startswith(others)] == []
+    assert said == ["definitions/virtual_test.py: tidy csv"]  # a tidy table alone has columns
 
 
 LS_DYNA_RCFORC = """
 import numpy as np
 from certkit.exchange.fe.histories import ContactHistory, PartHistories
+from certkit.exchange.fe.run_histories import Samples
 
-def read(paths, section):
-    rows = [line.split() for line in paths[0].read_text().splitlines() if line.split()[:1] == ["master"]]
+def rows_of(path):
+    rows = [line.split() for line in path.read_text().splitlines() if line.split()[:1] == ["master"]]
     time = np.array([float(row[3]) for row in rows]) * 1e-3
     force = np.array([float(row[5]) for row in rows]) * 1e3
-    return PartHistories(time, {}, contacts={rows[0][1]: ContactHistory(0.0 * force, force)})
+    return rows[0][1], time, force
+
+def read(paths, section):
+    name, time, force = rows_of(paths[0])
+    return PartHistories(time, {}, contacts={name: ContactHistory(0.0 * force, force)})
+
+USUAL_FILES = ("rcforc*",)
+
+def holds(content):
+    return content.lstrip().startswith(b"slave")
+
+class Rcforc:
+    def __init__(self, path):
+        self.path, self.files = path, {str(path): "0" * 64}
+    def history(self, asked, dimension):
+        _, time, force = rows_of(self.path)
+        return Samples(time, force)
+    def energies(self):
+        return {}
+
+def open_run(paths, layout):
+    return Rcforc(paths[0])
 """
 
 
-def test_a_reader_is_one_file_and_one_word(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
+RCFORC_MAPPING = """
+mapping: rcforc
+title: A contact that pushes
+source: made up
+finite elements:
+  format: ls-dyna rcforc
+  legform model: {name: made up}
+  channels: {contact force: {table: rcforc, of: "1", variable: x}}
+"""
+
+
+def test_a_format_is_one_file_and_one_word_for_extraction_and_virtual_test(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+):
     with_file(monkeypatch, reader_files, tmp_path, "ls_dyna_rcforc", LS_DYNA_RCFORC)
+    monkeypatch.setattr(reader_files, "Format", Literal["ls-dyna rcforc", *get_args(Format)])
     lines = [
         f" {side} 1 time {time} x {force}"
-        for time in (0, 1)
+        for time in range(12)
         for side, force in (("slave", 2), ("master", -2))
     ]
     (tmp_path / "rcforc").write_text("\n".join(lines))
     section = HistoryFiles.model_construct(format="ls-dyna rcforc", files=["rcforc"])
     contact = read_case_data(section, tmp_path).histories.contact("1")
     assert contact.force is not None
-    assert list(contact.force) == [-2000.0, -2000.0]
+    assert list(contact.force) == [-2000.0] * 12
+    (tmp_path / "mapping.yaml").write_text(RCFORC_MAPPING.replace("  format: ls-dyna rcforc\n", ""))
+    mapping = read_document(tmp_path / "mapping.yaml", Mapping)
+    run = read_recording(tmp_path, mapping).recording
+    assert list(run["contact force"].values) == pytest.approx([-2000.0] * run.time.size)
 
 
 def defined(folder: str, base: type) -> set[str]:

@@ -13,13 +13,8 @@ from certkit.documents.rounding import rounded_series
 from certkit.errors import DataError
 from certkit.exchange.codes import code_table
 from certkit.exchange.conditions import Told, mapped_conditions, together
-from certkit.exchange.fe.checks import read_bytes
-from certkit.exchange.fe.histories import parse_units
-from certkit.exchange.fe.readers.ls_dyna_binout import is_lsda
-from certkit.exchange.fe.run_binout import BinoutRun
+from certkit.exchange.fe.readers import open_run, usual_files
 from certkit.exchange.fe.run_conditions import FREE_FLIGHT, contact_sample, energy_conditions
-from certkit.exchange.fe.run_radioss import RadiossRun
-from certkit.exchange.fe.run_tidy import TidyRun
 from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.timebase import TimeBase
 from certkit.files.limits import MAX_SAMPLES
@@ -32,16 +27,8 @@ if TYPE_CHECKING:
 
     from certkit.definitions.channel_mapping import Mapping
     from certkit.definitions.channels import ChannelTable
-    from certkit.definitions.extraction_case import Format
     from certkit.definitions.virtual_test import FiniteElements
-    from certkit.exchange.fe.run_histories import RunFiles, Samples
-
-USUAL_FILES: dict[Format, tuple[str, ...]] = {
-    "ls-dyna binout": ("binout*",),
-    "openradioss native": ("*T01", "*T01.gz"),
-    "tidy csv": ("*.csv", "*.csv.gz"),
-}
-"""What the files of a run's folder are called where the mapping does not say it."""
+    from certkit.exchange.fe.run_histories import Samples
 
 
 def read_run(path: Path, mapping: Mapping, layout: FiniteElements, table: ChannelTable) -> MeasuredData:
@@ -71,7 +58,9 @@ def read_run(path: Path, mapping: Mapping, layout: FiniteElements, table: Channe
     """
     paths = _paths(path, layout)
     with ExitStack() as stack:
-        run = _open(paths, layout, stack)
+        run = open_run(paths, layout)
+        if hasattr(run, "close"):
+            stack.callback(run.close)
         histories = {
             name: _signed(run.history(asked, table.kinds[name].dimension.quantity), asked.sign)
             for name, asked in layout.channels.items()
@@ -85,6 +74,7 @@ def read_run(path: Path, mapping: Mapping, layout: FiniteElements, table: Channe
     zero = None if contact is None else contact_sample(contact)
     notes = [Reason.of("run-resampled", interval=base.interval * 1e3)]
     told: dict[str, Told] = {word: Told(v, str(path)) for word, v in energy_conditions(energies).items()}
+    notes += [Reason.of("run-files-remark", said=said) for said in getattr(run, "remarks", ())]
     if zero is None:
         notes.append(Reason.of("run-without-contact"))
         shift = 0.0
@@ -135,45 +125,14 @@ def _base(histories: Sequence[Samples], source: str) -> TimeBase:
     return plain.with_count(count)
 
 
-def _open(paths: list[Path], layout: FiniteElements, stack: ExitStack) -> RunFiles:
-    kind = layout.format or _told_format(paths[0])
-    if kind == "ls-dyna binout":
-        run = BinoutRun(paths, parse_units(layout.units))
-        stack.callback(run.close)
-        return run
-    if kind == "tidy csv":
-        return TidyRun(paths, layout)
-    if kind == "openradioss native":
-        if len(paths) > 1:
-            raise DataError(
-                f"{paths[1]}: an OpenRadioss run has one T01 here; name it in the mapping's `files`"
-            )
-        return RadiossRun(paths[0], layout.units)
-    if kind == "openradioss csv":
-        raise DataError(
-            f"{paths[0]}: a converted CSV has lost part of its names; grade the native file (…T01)"
-        )
-    raise DataError(f"{paths[0]}: runs in the format `{kind}` are not graded; convert it to a tidy table")
-
-
-def _told_format(path: Path) -> Format:
-    content, _ = read_bytes(path)
-    if is_lsda(content):
-        return "ls-dyna binout"
-    if content[:3] == b"\x00\x00\x00":  # the length of a Fortran record
-        return "openradioss native"
-    return "tidy csv"
-
-
 def _paths(path: Path, layout: FiniteElements) -> list[Path]:
     """Return the run's files: the one that is named, or those in the folder that is."""
     if not path.is_dir():
         return [path]
     patterns = layout.files
     if not patterns:
-        kinds = [layout.format] if layout.format else list(USUAL_FILES)
-        for kind in kinds:
-            found = _found(path, USUAL_FILES.get(kind, ()))
+        for usual in usual_files(layout.format):
+            found = _found(path, usual)
             if found:
                 return found
         raise DataError(f"{path}: no binout, T01 or table in this folder; name the mapping's `files`")

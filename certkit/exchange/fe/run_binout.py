@@ -1,26 +1,20 @@
-"""A run as LS-DYNA binout files: any table's variables by title or id, nodes' distances, and `glstat`.
-
-Parallel LS-DYNA writes several binouts, each with some tables or with some objects of a table: an object is
-looked for in all of them.
-"""
+"""A run as LS-DYNA binout files: any table's variables by title or id, nodes' distances, and `glstat`."""
 
 from __future__ import annotations
 
-import tempfile
-from glob import escape
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from certkit.errors import DataError
-from certkit.exchange.fe.checks import read_bytes
+from certkit.exchange.fe.binout_files import BinoutFiles
+from certkit.exchange.fe.binout_tables import BinoutTables
 from certkit.exchange.fe.histories import match_one
-from certkit.exchange.fe.readers.ls_dyna_binout import BinoutTables, is_lsda, open_binout
 from certkit.exchange.fe.run_histories import Samples, combined, factor_of, growth_of_distance
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
+    from pathlib import Path
 
     from certkit.definitions.virtual_test import History
     from certkit.exchange.fe.histories import Units
@@ -49,26 +43,23 @@ class BinoutRun:
             Without lasso-python, or for a file that is no binout.
         """
         self._units = units
-        self.files: dict[str, str] = {}
-        self._tables: list[BinoutTables] = []
-        self._folder = tempfile.TemporaryDirectory(prefix="certkit-")
         self._source = ", ".join(str(path) for path in paths)
-        for number, path in enumerate(paths):
-            content, digest = read_bytes(path)
-            if not is_lsda(content):
-                raise DataError(
-                    f"{path}: no LSDA container, which starts with its header length 8; name the binout"
-                )
-            rest = sorted(path.parent.glob(f"{escape(path.name)}%[0-9]*")) if path.suffix != ".gz" else []
-            self.files |= {str(path): digest, **{str(part): read_bytes(part)[1] for part in rest}}
-            place = Path(self._folder.name) / str(number)
-            place.mkdir()
-            reader = open_binout(path, content, rest, place, str(path))
-            self._tables.append(BinoutTables(reader, str(path)))
+        self._opened = BinoutFiles(paths)
+        self._tables = BinoutTables(self._opened, self._source)
+
+    @property
+    def files(self) -> Mapping[str, str]:
+        """SHA-256 of every file that was read, by its name."""
+        return self._opened.digests
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What there is to say of the files and of how they were joined."""
+        return tuple(self._tables.remarks())
 
     def close(self) -> None:
         """Forget the copies that were made to read from."""
-        self._folder.cleanup()
+        self._opened.close()
 
     def history(self, asked: History, dimension: str) -> Samples:
         """Return a variable of objects, or the growth of two nodes' distance."""
@@ -87,53 +78,34 @@ class BinoutRun:
     def energies(self) -> Mapping[str, Samples]:
         """Return the energies of `glstat`."""
         found: dict[str, Samples] = {}
-        for tables in self._with("glstat"):
-            time = tables.times("glstat", self._units.time)
-            for name, variable in ENERGIES.items():
+        tables, units = self._tables, self._units
+        if tables.has_table("glstat"):
+            time = tables.times("glstat", units.time)
+            wanted = {name: (variable, units.energy) for name, variable in ENERGIES.items()}
+            wanted |= {"ratio": ("energy_ratio", 1.0)}
+            wanted |= {"added mass": ("added_mass", units.mass), "mass": ("mass", units.mass)}
+            for name, (variable, factor) in wanted.items():
                 if tables.has("glstat", variable):
-                    values = tables.array("glstat", variable) * self._units.energy
-                    found.setdefault(name, Samples(time, values))
-            if tables.has("glstat", "energy_ratio"):
-                found.setdefault("ratio", Samples(time, tables.array("glstat", "energy_ratio")))
-            for name in ("added_mass", "mass"):
-                if tables.has("glstat", name):
-                    values = tables.array("glstat", name) * self._units.mass
-                    found.setdefault(name.replace("_", " "), Samples(time, values))
+                    found[name] = Samples(time, tables.array("glstat", variable) * factor)
         if "total" in found and "external work" in found and "ratio" in found:
             del found["total"]  # the solver's own ratio knows best what it counts
-        found |= self._masses() if "mass" not in found else {}
+        if "mass" not in found and tables.has_table("matsum") and tables.has("matsum", "mass"):
+            # Mass scaling makes the parts' mass grow.
+            mass = tables.columns("matsum", "mass").sum(axis=1) * units.mass
+            found["mass"] = Samples(tables.times("matsum", units.time), mass)
         return found
 
-    def _masses(self) -> dict[str, Samples]:
-        """Return the mass of all parts in `matsum`, which mass scaling makes grow."""
-        parts: list[Samples] = []
-        for tables in self._with("matsum"):
-            if tables.has("matsum", "mass"):
-                time = tables.times("matsum", self._units.time)
-                mass = tables.columns("matsum", "mass").sum(axis=1) * self._units.mass
-                parts.append(Samples(time, mass))
-        if not parts:
-            return {}
-        time = parts[0].time
-        return {"mass": Samples(time, np.sum([p.at(time) for p in parts], axis=0))}
-
-    def _with(self, table: str) -> Iterator[BinoutTables]:
-        return (tables for tables in self._tables if tables.has_table(table))
-
     def _variable(self, table: str, name: str, variable: str) -> Samples:
-        known: dict[str, tuple[BinoutTables, int]] = {}
-        for tables in self._with(table):
-            count = np.atleast_1d(tables.array(table, "ids")).size
-            for k, title in enumerate(tables.legend(table, count)):
-                known.setdefault(title, (tables, k))  # `rcforc` has each contact twice: its first side counts
-            for k, i in enumerate(tables.ids(table)):
-                known.setdefault(str(i), (tables, k))
-        if not known:
-            have = ", ".join(sorted({each for tables in self._tables for each in tables.tables()}))
+        tables = self._tables
+        if not tables.has_table(table):
+            have = ", ".join(sorted(tables.tables()))
             raise DataError(f"{self._source}: there is no table `{table}`; there are {have}: request it")
-        tables, k = known[match_one(name, known, "object", f"{self._source}: {table}")]
-        values = tables.columns(table, variable)[:, k]
-        return Samples(tables.times(table, self._units.time), values)
+        known: dict[str, int] = {}
+        for names in (tables.legend(table), map(str, tables.ids(table))):
+            for k, title in enumerate(names):
+                known.setdefault(title, k)  # `rcforc` has each contact twice: its first side counts
+        k = known[match_one(name, known, "object", f"{self._source}: {table}")]
+        return Samples(tables.times(table, self._units.time), tables.columns(table, variable)[:, k])
 
     def _node(self, name: str) -> tuple[Any, Any, Any]:
         """Return a node's times, its place at the first instant, and its displacements."""

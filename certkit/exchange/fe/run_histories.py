@@ -39,7 +39,7 @@ class Samples:
 
 
 class RunFiles(Protocol):
-    """What every reader of a run offers."""
+    """What every reader of a run offers; besides, a `close()` where it holds files open, and `remarks`."""
 
     @property
     def files(self) -> Mapping[str, str]:

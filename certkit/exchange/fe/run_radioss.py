@@ -49,7 +49,8 @@ class RadiossRun:
         self.files = {str(path): digest}
         records = FortranRecords(content, self._source)
         self._directory = read_directory(records, self._source)
-        require_units(self._directory, self._units, units, self._source)
+        remark = require_units(self._directory, self._units, units, self._source)
+        self.remarks = () if remark is None else (remark,)
         time, data = read_instants(records, self._directory, self._source)
         require_time_axis(time, self._source)
         self._time = time * self._units.time

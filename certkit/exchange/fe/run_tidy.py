@@ -10,8 +10,8 @@ from certkit.definitions.units import parse_quantity
 from certkit.errors import DataError
 from certkit.exchange.fe.histories import match_one
 from certkit.exchange.fe.numeric_table import read_table
-from certkit.exchange.fe.readers.tidy_csv import SUFFIXES, time_axis
 from certkit.exchange.fe.run_histories import Samples
+from certkit.exchange.fe.unit_suffixes import SUFFIXES, time_axis
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

@@ -133,11 +133,3 @@ def test_brackets_in_a_path_are_no_pattern(tmp_path: Path):
     np.testing.assert_array_equal(read.part("fascia").momentum, plain.part("fascia").momentum)
     assert list(read.files) == [str(tmp_path / "run[1]/binout0000")]
     assert list(read.files.values()) == list(plain.files.values())
-
-
-@needs_lasso
-def test_a_file_that_goes_on_is_hashed_with_its_continuation(tmp_path: Path):
-    shutil.copy(BUMPER / "bumper.binout0000", tmp_path / "binout0000")
-    shutil.copy(BUMPER / "bumper.binout0000", tmp_path / "binout0000%001")
-    files = read_binout(tmp_path / "binout0000", UNITS, {}).files
-    assert [Path(name).name for name in files] == ["binout0000", "binout0000%001"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.definitions.extraction_case import HistoryFiles
+    from certkit.definitions.virtual_test import FiniteElements
     from certkit.exchange.fe.histories import PartHistories
 
     Objects = dict[str, dict[str, NDArray[np.float64]]]
@@ -64,6 +65,16 @@ def _require_unshifted(table: NumericTable) -> None:
             f"{table.source}: the first {_SHIFT} columns behind the parts' are zero, as a converter "
             "leaves them that shifts by so many: convert with a newer one, or read the native file (…T01)"
         )
+
+
+def holds(content: bytes) -> bool:
+    """Tell a converted history by its first heads."""
+    return re.match(rb'\s*"?time\s*"?,\s*"?INTERNAL ENERGY', content) is not None
+
+
+def open_run(paths: Sequence[Path], _: FiniteElements) -> NoReturn:
+    """Refuse a run: its columns cannot be told by the solver's names any more."""
+    raise DataError(f"{paths[0]}: a converted CSV has lost part of its names; grade the native file (…T01)")
 
 
 def read(paths: Sequence[Path], section: HistoryFiles) -> PartHistories:

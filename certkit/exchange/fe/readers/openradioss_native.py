@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes, require_finite, require_time_axis
 from certkit.exchange.fe.fortran_records import FortranRecords
 from certkit.exchange.fe.histories import parse_units
@@ -25,6 +26,7 @@ from certkit.exchange.fe.radioss_variables import (
     NODE_GROUP,
     PART_VARIABLES,
 )
+from certkit.exchange.fe.run_radioss import RadiossRun
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -33,9 +35,25 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.definitions.extraction_case import HistoryFiles
+    from certkit.definitions.virtual_test import FiniteElements
     from certkit.exchange.fe.histories import PartHistories
 
     Variables = dict[str, NDArray[np.float64]]
+
+
+USUAL_FILES = ("*T01", "*T01.gz")
+
+
+def holds(content: bytes) -> bool:
+    """Tell a native history by the length of its first record."""
+    return content[:3] == b"\x00\x00\x00"
+
+
+def open_run(paths: Sequence[Path], layout: FiniteElements) -> RadiossRun:
+    """Open a run that is graded."""
+    if len(paths) > 1:
+        raise DataError(f"{paths[1]}: an OpenRadioss run has one T01 here; name it in the mapping's `files`")
+    return RadiossRun(paths[0], layout.units)
 
 
 def read(paths: Sequence[Path], section: HistoryFiles) -> PartHistories:

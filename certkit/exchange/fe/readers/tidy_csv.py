@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 
 from certkit.errors import DataError
-from certkit.exchange.fe.checks import require_time_axis
 from certkit.exchange.fe.histories import ContactHistory, PartHistories, PartHistory, SpringHistory, match_one
-from certkit.exchange.fe.numeric_table import NumericTable, read_table
+from certkit.exchange.fe.numeric_table import read_table
+from certkit.exchange.fe.run_tidy import TidyRun
+from certkit.exchange.fe.unit_suffixes import SUFFIXES, time_axis
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -18,23 +19,30 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.definitions.extraction_case import HistoryFiles, PartColumns
+    from certkit.definitions.virtual_test import FiniteElements
 
     Values = NDArray[np.float64]
 
 T = TypeVar("T")
-
-SUFFIXES = {
-    "ms": ("time", 1e-3), "s": ("time", 1.0), "mm": ("length", 1e-3), "m": ("length", 1.0),
-    "Ns": ("momentum", 1.0), "N": ("force", 1.0), "kN": ("force", 1e3), "J": ("energy", 1.0),
-    "Nm": ("moment", 1.0), "deg": ("angle", 0.017453292519943295), "mps": ("speed", 1.0),
-}  # fmt: skip
-"""Unit at the end of a column's name → dimension and factor to SI."""
 
 LEG_CHANNELS = {
     **{name: (f"{name}_Nm", "moment") for name in ("F1", "F2", "F3", "T1", "T2", "T3", "T4")},
     **{name: (f"{name}_elong_mm", "length") for name in ("MCL", "ACL", "PCL")},
 }
 """Channel of the leg → its column, where a file has it, and the column's dimension."""
+
+
+USUAL_FILES = ("*.csv", "*.csv.gz")
+
+
+def holds(_: bytes) -> bool:
+    """Take whatever no other format is for a table, and say what is wrong with it."""
+    return True
+
+
+def open_run(paths: Sequence[Path], layout: FiniteElements) -> TidyRun:
+    """Open a run that is graded."""
+    return TidyRun(paths, layout)
 
 
 def read(paths: Sequence[Path], section: HistoryFiles) -> PartHistories:
@@ -153,15 +161,3 @@ class _Columns:
                     full = name.replace("*", star)
                     if full not in mapping:
                         yield full, spec, star
-
-
-def time_axis(table: NumericTable, name: str) -> Values:
-    """Return a table's time in seconds; the name of its column has to end in the unit."""
-    if name not in table.columns:
-        match_one(name, table.columns, "column", table.source)
-    suffix = name.rsplit("_", 1)[-1]
-    if SUFFIXES.get(suffix, ("",))[0] != "time":
-        raise DataError(f"{table.source}: the time column `{name}` must end in _ms or _s; rename it")
-    time: Values = table.columns[name] * SUFFIXES[suffix][1]
-    require_time_axis(time, table.source)
-    return time
