@@ -157,8 +157,12 @@ def render_suite(  # noqa: PLR0913  # as many as the command has options
     language: str = "en",
     sign: Path | None = None,
     force: bool = False,
+    folders: Sequence[Path] = (),
 ) -> list[Path]:
     """Write the index page and the bound certificate of several results.
+
+    `folders` hold the reports of the results, where they have just been written on this paper and in this
+    language: their certificates are bound, and not set again.
 
     Raises
     ------
@@ -168,10 +172,18 @@ def render_suite(  # noqa: PLR0913  # as many as the command has options
     from certkit.reporting.writing import render_suite as write  # noqa: PLC0415  # likewise
 
     signer = _signer(sign)
+    pdfs = [_unsigned(folder / "report.pdf") for folder in folders] if "pdf" in split(formats) else []
     with suite_switch(Path(out), results, force=force) as stage:
-        written = write(results, stage, split(formats), title=title, paper=paper, spoken=language)
+        written = write(results, stage, split(formats), title=title, paper=paper, spoken=language, pdfs=pdfs)
         _sign(written, signer)
     return [Path(out) / path.relative_to(stage) for path in written]
+
+
+def _unsigned(path: Path) -> bytes | None:
+    """Return a certificate as it was before it was signed; None where there is none."""
+    from certkit.bench.verify_pdf_file import first_revision  # noqa: PLC0415  # only for a suite
+
+    return first_revision(path.read_bytes()) if path.is_file() else None
 
 
 def check_key(sign: str | Path | None) -> None:

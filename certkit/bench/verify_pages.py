@@ -63,7 +63,6 @@ def rendered_again(results: Sequence[Result], attached: Attached) -> bytes | Che
             unique_views(results, attached.language),
             paper=attached.paper,
             title=title,
-            contents=title is not None,
             created=attached.created,
         )
     except CertkitError as error:

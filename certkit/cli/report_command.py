@@ -70,12 +70,14 @@ def report(
     # Pages of a list of overviews have names of their own; those of several results are all called alike.
     apart = len(results) > 1 or sum(isinstance(document, Result) for _, document in documents) > 1
     written: list[Path] = []
+    folders: list[Path] = []
     with on_template(template):
         for (path, document), name in zip(documents, names, strict=True):
             folder = path.parent if out is None else out / name if apart else out
             written += render_pages(
                 document, folder, wanted, paper=paper.value, language=language, sign=sign, force=force
             )
+            folders += [folder] if isinstance(document, Result) else []
         tests = [document for _, document in documents if isinstance(document, Result)]
         if len(tests) > 1:
             written += render_suite(
@@ -87,6 +89,7 @@ def report(
                 language=language,
                 sign=sign,
                 force=force,
+                folders=folders,
             )
     for path in written:
         typer.echo(f"wrote {path}", err=True)

@@ -97,6 +97,7 @@ def run(
                     language=language,
                     sign=sign,
                     force=force or out is None,
+                    folders=tests.folders,
                 )
             except CertkitError as error:
                 tests.failures.append(error)

@@ -97,7 +97,7 @@ def certificate_pdf(
         enclosures=[*parts, listed],
         **_shown(document, spoken),
     )
-    return typeset(html, [*parts, listed], created)
+    return typeset(html, [*parts, listed], created, key=document.id)
 
 
 def _shown(document: LegformCertificate, spoken: str) -> dict[str, Any]:

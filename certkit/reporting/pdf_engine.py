@@ -10,6 +10,7 @@ import gc
 import warnings
 import zlib
 from contextlib import contextmanager, redirect_stdout
+from functools import partial
 from io import StringIO
 from typing import TYPE_CHECKING, Any
 
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     from certkit.reporting.svg import Drawing
 
 
-def typeset(html: str, enclosed: Sequence[Enclosure], created: datetime) -> bytes:
+def typeset(html: str, enclosed: Sequence[Enclosure], created: datetime, *, key: str = "") -> bytes:
     """Return an HTML document as PDF/A-3a.
 
     Parameters
@@ -35,6 +36,8 @@ def typeset(html: str, enclosed: Sequence[Enclosure], created: datetime) -> byte
         Files to attach.
     created : datetime
         Date that the attachments bear; the document's own stands in its head.
+    key : str
+        Stands in the names of table heads that cells refer to, so that they stay unique in a suite.
     """
     module = weasyprint()
     attached = [
@@ -54,7 +57,10 @@ def typeset(html: str, enclosed: Sequence[Enclosure], created: datetime) -> byte
         # WeasyPrint leaves its colour profile's file to the garbage collector.
         warnings.simplefilter("ignore", ResourceWarning)
         pdf: bytes = document.write_pdf(
-            pdf_variant="pdf/a-3a", attachments=attached, finisher=_finish, custom_metadata=False
+            pdf_variant="pdf/a-3a",
+            attachments=attached,
+            finisher=partial(_finish, key),
+            custom_metadata=False,
         )
     return pdf
 
@@ -105,8 +111,8 @@ def _fetcher(module: Any) -> Any:  # noqa: ANN401  # likewise
     return OwnFilesOnly(allowed_protocols=("file", "data"))
 
 
-def _finish(document: Any, pdf: Any) -> None:  # noqa: ANN401  # likewise
-    """Label the pages 1, 2, 3 … as printed, name and pack each attachment once."""
+def _finish(key: str, document: Any, pdf: Any) -> None:  # noqa: ANN401  # likewise
+    """Label the pages 1, 2, 3 … as printed, name and pack each attachment once, name heads of tables."""
     import pydyf  # noqa: PLC0415  # comes with WeasyPrint
 
     del document
@@ -118,6 +124,8 @@ def _finish(document: Any, pdf: Any) -> None:  # noqa: ANN401  # likewise
             part.stream = [zlib.compress(b"".join(part.stream), 6)]
             part.extra["Filter"] = "/FlateDecode"
             part.compress = False
+        elif key and isinstance(part, pydyf.Dictionary) and isinstance(part.get("ID"), pydyf.String):
+            part["ID"].string = f"{key}-{part['ID'].string}"  # cells refer to this very string
     if "AF" in pdf.catalog:
         pdf.catalog["AF"] = pydyf.Array(dict.fromkeys(pdf.catalog["AF"]))
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-from dataclasses import dataclass
 from datetime import UTC, date, datetime, time
 from typing import TYPE_CHECKING
 
@@ -17,6 +16,7 @@ from certkit.reporting.attachments import Enclosure, enclosures, manifest
 from certkit.reporting.font_check import check_font
 from certkit.reporting.pdf_engine import typeset, weasyprint
 from certkit.reporting.suite_head import suite_head
+from certkit.reporting.suite_pdf import LINK_SCHEME, attached_files, bind
 from certkit.reporting.templating import fill, text
 
 if TYPE_CHECKING:
@@ -33,14 +33,6 @@ REPEATABLE = False  # `verify` compares pages with what is attached to the PDF
 
 FIXED_DATE = datetime(1980, 1, 1, tzinfo=UTC)
 """Date written into a PDF when nobody gave one: the bytes must not depend on the clock."""
-
-
-@dataclass(frozen=True)
-class Chapter:
-    """One certificate inside the PDF, with the files it carries."""
-
-    view: View
-    enclosures: list[Enclosure]
 
 
 def creation_date(results: Sequence[Result]) -> datetime:
@@ -75,7 +67,6 @@ def certificate(
     *,
     paper: Paper = "A4",
     title: str | None = None,
-    contents: bool = False,
     created: datetime | None = None,
 ) -> bytes:
     """Render one certificate, or several bound together.
@@ -83,13 +74,12 @@ def certificate(
     Parameters
     ----------
     views : sequence of View
-        Results in the language of the pages, one chapter each; the documents inside stay as they are.
+        Results in the language of the pages; the documents inside stay as they are. Those of a suite may have
+        their PDF with them, which is not set again then.
     paper : {'A4', 'Letter'}
         Page size.
     title : str, optional
-        Title of a bound suite; of the first result otherwise.
-    contents : bool
-        Begin with a table of contents.
+        Of a suite, which begins with its contents; without it there is a single result.
     created : datetime, optional
         Date that the PDF bears; see `creation_date` for where it comes from otherwise.
 
@@ -105,32 +95,75 @@ def certificate(
         how to install it.
     """
     weasyprint()  # a missing library or font is said before any work is done
-    spoken = views[0].spoken.code
-    check_font(spoken)
-    several = len(views) > 1
-    results = [shown.document for shown in views]
-    chapters = [
-        Chapter(shown, enclosures(shown.document, f"{shown.key}-" if several else "")) for shown in views
-    ]
-    parts = [part for chapter in chapters for part in chapter.enclosures]
-    listed = manifest(parts, [r.id for r in results], spoken, title)
-    created = created or creation_date(results)
-    html = fill(
+    check_font(views[0].spoken.code)
+    created = created or creation_date([shown.document for shown in views])
+    return _single(views[0], paper, created) if title is None else _suite(views, paper, title, created)
+
+
+def _single(view: View, paper: Paper, created: datetime) -> bytes:
+    """Set the certificate of one result."""
+    parts = enclosures(view.document)
+    listed = manifest(parts, [view.document.id], view.spoken.code)
+    html = _filled(
         "certificate.html.j2",
+        view.spoken.code,
+        paper,
+        created,
+        title=view.result.title,
+        view=view,
+        enclosures=parts,
+        manifest=listed,
+    )
+    return typeset(html, [*parts, listed], created, key=view.document.id)
+
+
+def _suite(views: Sequence[View], paper: Paper, title: str, created: datetime) -> bytes:
+    """Bind certificates behind a page of contents."""
+    spoken = views[0].spoken.code
+    bound = {view.key: view.pdf or _single(view, paper, creation_date([view.document])) for view in views}
+    counts, parts = [], []
+    for key, pdf in bound.items():
+        count, files = attached_files(pdf)
+        counts.append(count)
+        parts += [
+            Enclosure(f"{key}-{name}", *role_and_content, "Data") for name, role_and_content in files.items()
+        ]
+    listed = manifest(parts, [view.document.id for view in views], spoken, title)
+
+    def contents(first: int) -> bytes:
+        pages = [first + sum(counts[:number]) for number in range(len(counts))]
+        html = _filled(
+            "suite.html.j2",
+            spoken,
+            paper,
+            created,
+            title=title,
+            views=views,
+            suite=suite_head(views),
+            pages=pages,
+            scheme=LINK_SCHEME,
+        )
+        return typeset(html, [listed], created, key="contents")
+
+    # Where the first certificate begins depends on how long the contents are, and that hardly ever on where.
+    made = contents(2)
+    length, _ = attached_files(made)
+    return bind(made if length == 1 else contents(1 + length), bound, created)
+
+
+def _filled(template: str, spoken: str, paper: Paper, created: datetime, **values: object) -> str:
+    """Fill a template of printed pages."""
+    return fill(
+        template,
         spoken=spoken,
-        title=title or views[0].result.title,
         version=__version__,
         created=created.strftime("%Y-%m-%dT%H:%M:%SZ"),
         style=text("styles/certificate.css"),
         paper=paper,
-        chapters=chapters,
-        contents=contents,
-        suite=suite_head(views) if contents else None,
-        manifest=listed,
+        **values,
     )
-    return typeset(html, [*parts, listed], created)
 
 
 def write(views: Sequence[View], *, title: str | None, paper: Paper) -> bytes:
     """Return the PDF of one result, or of a suite with its contents where there is a title."""
-    return certificate(views, paper=paper, title=title, contents=title is not None)
+    return certificate(views, paper=paper, title=title)

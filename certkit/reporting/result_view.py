@@ -71,6 +71,8 @@ class View:
         Part of ids in a page; differs among the results of a suite.
     nearest_criterion : CriterionResult or None
         Nearest to a limit, or furthest beyond it.
+    pdf : bytes, optional
+        Its certificate, where that was set before.
     """
 
     document: Result
@@ -91,6 +93,7 @@ class View:
     specimen: list[tuple[str, str]]
     numbers: list[NumberGroup]
     number_sources: list[str]
+    pdf: bytes | None = None
 
     @cached_property
     def works(self) -> dict[str, Work]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -77,13 +78,15 @@ def render_suite(
     title: str = SUITE_TITLE,
     paper: Paper = "A4",
     spoken: str = ENGLISH,
+    pdfs: Sequence[bytes | None] = (),
 ) -> list[Path]:
     """Write what binds several results together: index page, one PDF with contents, JUnit, summary.
 
-    The index page holds all reports, so it can be handed on as a single file.
+    The index page holds all reports, so it can be handed on as a single file. `pdfs` are the certificates of
+    the results, as far as they have been set on this paper and in this language, unsigned.
     """
     results = [result.as_written() for result in results]
-    return _write(results, out, formats, title=title, paper=paper, spoken=spoken)
+    return _write(results, out, formats, title=title, paper=paper, spoken=spoken, pdfs=pdfs)
 
 
 def repeatable(folder: Path) -> list[str]:
@@ -122,6 +125,7 @@ def _write(  # what a format takes
     title: str | None,
     paper: Paper,
     spoken: str,
+    pdfs: Sequence[bytes | None] = (),
 ) -> list[Path]:
     written = []
     views: dict[str, list[View]] = {}
@@ -133,6 +137,8 @@ def _write(  # what a format takes
         code = spoken if made.TRANSLATED else ENGLISH
         if code not in views:
             views[code] = unique_views(results, code)
+            if code == spoken and pdfs:
+                views[code] = [replace(view, pdf=pdf) for view, pdf in zip(views[code], pdfs, strict=True)]
         try:
             content = made.write(views[code], title=title, paper=paper)
         except MissingPartError as error:

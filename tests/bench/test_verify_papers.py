@@ -69,7 +69,7 @@ def test_a_certificate_in_any_language_holds(bending: Result, spoken: str, tmp_p
 
 def test_a_suite_holds_with_its_own_title(measured: Result, bending: Result, tmp_path: Path):
     path = tmp_path / "suite.pdf"
-    path.write_bytes(certificate(unique_views([measured, bending]), title="Legform 7, spring", contents=True))
+    path.write_bytes(certificate(unique_views([measured, bending]), title="Legform 7, spring"))
     found = verify(path)
     assert told(found) == []
     assert found.ids == (measured.id, bending.id)

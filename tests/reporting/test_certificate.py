@@ -197,7 +197,7 @@ def test_solver_time_leaves_no_trace():
 
 def test_a_suite_begins_with_its_contents(tmp_path: Path):
     results = [synthetic_result.result(), synthetic_result.static_result()]
-    made = certificate(unique_views(results), title="Certification suite", contents=True, paper="Letter")
+    made = certificate(unique_views(results), title="Certification suite", paper="Letter")
     pages = text_of(made, tmp_path).split("\f")
     assert "Certification suite" in pages[0]
     assert all(result.id in pages[0] for result in results)
