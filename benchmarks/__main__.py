@@ -15,6 +15,7 @@ from pathlib import Path
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
 
+import before  # noqa: E402  # the folder is found first
 import chain  # noqa: E402  # the folder is found first
 import growth  # noqa: E402  # the folder is found first
 import many  # noqa: E402  # the folder is found first
@@ -30,6 +31,7 @@ PARTS = {
     "growth": growth.rows,
     "measured": measured.rows,
     "reports": reports.rows,
+    "before": before.rows,
 }
 
 

@@ -83,10 +83,27 @@ class LegChannels:
         return found
 
     @cached_property
+    def recorded_rows(self) -> NDArray[np.float64]:
+        """Return the channels as recorded, SI, shape (channels, n)."""
+        return self._rows([channel.values for channel in self.channels.values()])
+
+    @cached_property
+    def smooth_rows(self) -> NDArray[np.float64]:
+        """Return the channels through the filter, SI, shape (channels, n)."""
+        return self._rows(list(self.smooth.values()))
+
+    def _rows(self, channels: list[NDArray[np.float64]]) -> NDArray[np.float64]:
+        return np.array(channels).reshape(len(channels), self.filtered.recording.time.size)
+
+    @cached_property
+    def last(self) -> int:
+        """Return the index behind the last sample within the window."""
+        return int(np.searchsorted(self.filtered.recording.time, self.window.end, side="right"))
+
+    @cached_property
     def after(self) -> dict[str, NDArray[np.float64]]:
         """Return the filtered channels within the window, SI, shape (samples of the window,) each."""
-        end = int(np.searchsorted(self.filtered.recording.time, self.window.end, side="right"))
-        return {name: values[self.begin : end] for name, values in self.smooth.items()}
+        return {name: values[self.begin : self.last] for name, values in self.smooth.items()}
 
     def amplitude_class(self, name: str) -> float:
         """Return a channel's amplitude class, SI."""
@@ -106,10 +123,20 @@ class LegChannels:
                 found.setdefault(kind.part, []).append(name)
         return found
 
+    @cached_property
+    def _shares(self) -> dict[str, float]:
+        """Return the peaks of the bone moments as shares of their classes."""
+        return {n: p / self.amplitude_class(n) for n, p in self.peaks.items() if self.moment(n)}
+
     def blow_beside(self, name: str) -> bool:
         """Tell whether the other bone moments show a blow."""
-        classes = self.amplitude_class
-        return blow({n: p / classes(n) for n, p in self.peaks.items() if n != name and self.moment(n)})
+        if name not in self._blows:
+            self._blows[name] = blow([share for n, share in self._shares.items() if n != name])
+        return self._blows[name]
+
+    @cached_property
+    def _blows(self) -> dict[str, bool]:
+        return {}
 
     def moment(self, name: str) -> bool:
         """Tell whether a channel is a bending moment."""

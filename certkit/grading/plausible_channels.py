@@ -10,7 +10,7 @@ import numpy as np
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.grading.channels_of_leg import LegChannels
 from certkit.reasons import Reason
-from certkit.signals.clipping import find_clipping
+from certkit.signals.clipping import find_clippings
 from certkit.signals.noise import FREE_FLIGHT_NOISE
 from certkit.signals.plausibility_motion import (
     WINDOW,
@@ -129,10 +129,12 @@ def _drop_outs(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 
 def _clipped(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield flat tops, as recorded and through the filter, which takes noise off a plateau."""
-    for name, channel in leg.channels.items():
-        limit = leg.amplitude_class(name)
-        recorded, smooth = channel.values[: leg.end], leg.smooth[name][: leg.end]
-        found = find_clipping(recorded, limit) or find_clipping(smooth, limit)
+    limits = [leg.amplitude_class(name) for name in leg.channels]
+    recorded, smooth = (
+        find_clippings(rows[:, : leg.end], limits) for rows in (leg.recorded_rows, leg.smooth_rows)
+    )
+    for (name, channel), *both in zip(leg.channels.items(), recorded, smooth, strict=True):
+        found = both[0] or both[1]
         if found is not None:
             scale, unit = channel.dimension.scale, channel.dimension.unit
             yield (
@@ -160,17 +162,19 @@ def _early(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 def _frozen(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that stand still for a while in which the others move."""
     interval = leg.filtered.recording.interval
-    moves = {name: activity(values, interval) for name, values in leg.after.items()}
+    smooth, recorded = (
+        dict(zip(leg.channels, activity(rows[:, leg.begin : leg.last], interval), strict=True))
+        for rows in (leg.smooth_rows, leg.recorded_rows)
+    )
     step = max(1, max(2, round(WINDOW / interval)) // 4)
-    for name, moved in moves.items():
+    for name, own in smooth.items():
         if not leg.blow_beside(name):
             continue
-        own, levels = moved, None
-        others = [moves[other] for other in moves if other != name and leg.moment(other)]
+        levels = None
+        others = [smooth[other] for other in smooth if other != name and leg.moment(other)]
         if leg.moment(name):
             # A sensor that hangs shows one number; through the filter it still settles for a while.
-            end = leg.begin + leg.after[name].size
-            own = np.minimum(own, activity(leg.channels[name].values[leg.begin : end], interval))
+            own = np.minimum(own, recorded[name])
         else:
             levels = np.abs(leg.after[name])[::step][: own.size] > SLACK * leg.peaks[name]
         if len(others) > 1:
@@ -218,7 +222,7 @@ def _units(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
             for name, channel in leg.channels.items()
             if channel.dimension == dimension and kinds[name].usual
         }
-        if dimension == MOMENT and not blow({n: leg.peaks[n] / leg.amplitude_class(n) for n in usual}):
+        if dimension == MOMENT and not blow([leg.peaks[n] / leg.amplitude_class(n) for n in usual]):
             continue
         for name, power in off_by_powers(leg.peaks, usual).items():
             shown = leg.peaks[name] * leg.channels[name].dimension.scale

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Collection, Iterable, Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -88,14 +88,14 @@ def moves_early(before: Mapping[str, NDArray[np.float64]], peaks: Mapping[str, f
     found = {}
     for name, own in shares.items():
         others = [share for other, share in shares.items() if other != name]
-        if len(others) > 1 and own > EARLY and float(np.median(others)) < EARLY_REST:
+        if len(others) > 1 and own > EARLY and _middle(others) < EARLY_REST:
             found[name] = own
     return found
 
 
-def blow(others: Mapping[str, float]) -> bool:
+def blow(others: Collection[float]) -> bool:
     """Tell whether the neighbours show a blow: their middle peak, as a share of the amplitude class."""
-    return bool(others) and _middle(others.values()) > MOVED
+    return bool(others) and _middle(others) > MOVED
 
 
 def _middle(values: Iterable[float]) -> float:
@@ -105,26 +105,26 @@ def _middle(values: Iterable[float]) -> float:
     return ordered[half] if len(ordered) % 2 else (ordered[half - 1] + ordered[half]) / 2
 
 
-def activity(values: NDArray[np.float64], interval: float) -> NDArray[np.float64]:
-    """Return how far a channel moves within each window of 10 ms, as a share of its swing.
+def activity(rows: NDArray[np.float64], interval: float) -> NDArray[np.float64]:
+    """Return how far channels move within each window of 10 ms, as shares of their swings.
 
     Parameters
     ----------
-    values : ndarray, shape (n,)
+    rows : ndarray, shape (channels, n)
     interval : float
         Seconds between samples.
 
     Returns
     -------
-    ndarray, shape (k,)
-        Every quarter of a window; empty for a record shorter than one.
+    ndarray, shape (channels, k)
+        Every quarter of a window; empty for a record shorter than one, zero for a channel that never moves.
     """
     length = max(2, round(WINDOW / interval))
-    swing = float(np.ptp(values)) if values.size else 0.0
-    if values.size < length or swing == 0.0:
-        return np.zeros(0 if values.size < length else (values.size - length) // max(1, length // 4) + 1)
-    windows = np.lib.stride_tricks.sliding_window_view(values, length)[:: max(1, length // 4)]
-    found: NDArray[np.float64] = (windows.max(axis=1) - windows.min(axis=1)) / swing
+    if rows.shape[1] < length:
+        return np.zeros((len(rows), 0))
+    swings = np.ptp(rows, axis=1)[:, np.newaxis]
+    windows = np.lib.stride_tricks.sliding_window_view(rows, length, axis=1)[:, :: max(1, length // 4)]
+    found: NDArray[np.float64] = np.ptp(windows, axis=2) / np.where(swings > 0.0, swings, 1.0)
     return found
 
 
@@ -143,7 +143,7 @@ def frozen_from(
         Windows that count; a slack ligament stands still at zero and is not frozen.
     """
     quiet = own < FROZEN
-    if len(others) < 2 or not quiet.any():
+    if len(others) < 2 or not quiet.any():  # the quick way out: nearly every channel leaves here
         return None
     still = quiet & (np.median(np.stack(others), axis=0) > NEIGHBOURS_MOVE)
     if levels is not None:
@@ -166,7 +166,7 @@ def turned_gauges(bone: Mapping[str, NDArray[np.float64]]) -> dict[str, float]:
     table = np.atleast_2d(np.corrcoef(np.stack(list(moving.values()))))
     found = {}
     for row, name in enumerate(moving):
-        middle = float(np.median(np.delete(table[row], row)))
+        middle = _middle(value for other, value in enumerate(table[row].tolist()) if other != row)
         if middle < TURNED:
             found[name] = middle
     return found
@@ -196,7 +196,7 @@ def off_by_powers(peaks: Mapping[str, float], usual: Mapping[str, float]) -> dic
     found = {}
     for name, own in logs.items():
         others = [value for other, value in logs.items() if other != name]
-        off = own - float(np.median(others))
+        off = own - _middle(others)
         if abs(off) > math.log10(FACTOR):
             found[name] = round(off) or (1 if off > 0 else -1)
     return found
