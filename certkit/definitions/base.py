@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
@@ -28,6 +28,9 @@ class Document(BaseModel):
         serialize_by_alias=True,
         coerce_numbers_to_str=True,  # `annex: 6` and `edition: 01` are words, kept as they were written
     )
+
+    origin_keys: ClassVar[frozenset[str]] = frozenset({"origin"})
+    """Keys that what is inside takes its origin from."""
 
 
 class Section(Document):

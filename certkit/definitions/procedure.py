@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -149,6 +149,8 @@ class Procedure(Section):
     reference: str | None = None
     score: Annotated[str | None, Field(description="Corridor set whose scores are shown.")] = None
     notes: list[str] = []
+
+    origin_keys: ClassVar[frozenset[str]] = frozenset({"origin", "method"})
 
     @property
     def test_kind(self) -> TestKind:

@@ -167,10 +167,10 @@ def _frozen(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
         for rows in (leg.smooth_rows, leg.recorded_rows)
     )
     step = max(1, max(2, round(WINDOW / interval)) // 4)
-    for name, own in smooth.items():
+    for name, through_filter in smooth.items():
         if not leg.blow_beside(name):
             continue
-        levels = None
+        own, levels = through_filter, None
         others = [smooth[other] for other in smooth if other != name and leg.moment(other)]
         if leg.moment(name):
             # A sensor that hangs shows one number; through the filter it still settles for a while.

@@ -10,7 +10,6 @@ import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic, Literal, TypeVar, cast, overload
 
@@ -20,6 +19,7 @@ from certkit.definitions.confirmation import confirmation_name
 from certkit.definitions.loading.confirmed import with_confirmation
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS, Kind, kind_of
+from certkit.definitions.loading.made_before import keep, with_made
 from certkit.definitions.loading.old_forms import modernised
 from certkit.definitions.loading.overrides import Change, Overrides, change
 from certkit.definitions.loading.search_path import (
@@ -49,12 +49,6 @@ if TYPE_CHECKING:
     from certkit.definitions.vehicle import Vehicle
 
 D_co = TypeVar("D_co", bound=BaseModel, covariant=True)
-
-ALONE = frozenset({"corridors", "legform", "reference", "vehicle"})
-"""Kinds whose check asks for no definition of a library, so that one file always gives one document."""
-
-_ALONE: dict[tuple[str, Found], Loaded[BaseModel]] = {}
-_MOST_KEPT = 64
 
 Library = str | Path | Sequence[str | Path | Shelf]
 """Folders with own definitions, one or several; searched before the shipped ones, in this order."""
@@ -165,8 +159,6 @@ def load(
     """
     known = kind_of(kind)
     found = find(known, name, library)
-    if known.word in ALONE and not overrides:
-        return _with_its_confirmation(_parsed_alone(known, found), library)
     return _with_its_confirmation(parse(known, found, overrides, library), library)
 
 
@@ -187,19 +179,6 @@ def _with_its_confirmation(loaded: Loaded[BaseModel], library: Library) -> Loade
     )
 
 
-def _parsed_alone(kind: Kind, found: Found) -> Loaded[BaseModel]:
-    """Read a definition once: checks of others ask for it, and so does every run of a study."""
-    key = (kind.word, found)
-    loaded = _ALONE.get(key)
-    if loaded is None:
-        loaded = parse(kind, found)
-        if not loaded.remarks:  # which are told each time
-            if len(_ALONE) >= _MOST_KEPT:
-                _ALONE.clear()
-            _ALONE[key] = loaded
-    return loaded
-
-
 def parse(
     kind: Kind, found: Found, overrides: Overrides | None = None, library: Library = ()
 ) -> Loaded[BaseModel]:
@@ -211,7 +190,13 @@ def parse(
     for remark in numbered:
         warnings.warn(remark, OldFormWarning, stacklevel=2)
     check = kind.check
-    document = validate(tree, model, partial(check, library=library) if check else None)
+    document = validate(
+        tree,
+        model,
+        partial(check, library=library) if check else None,
+        data=with_made(kind.word, found, tree.data),
+    )
+    keep(kind.word, found, tree.data, document, changed=bool(changes))
     own = getattr(document, kind.word)
     if kind.word != "laboratory" and not is_name(own):
         # Folders and files are called after it, so it must not lead to any other.
@@ -225,8 +210,8 @@ def parse(
         name=getattr(document, kind.word),
         document=document,
         path=found.label,
-        sha256=sha256(found.data).hexdigest(),
-        text=found.data.decode("utf-8-sig"),
+        sha256=found.sha256,
+        text=found.text,
         overrides=changes,
         remarks=(*remarks, *numbered),
     )

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cached_property, lru_cache
+from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Protocol
@@ -47,6 +48,16 @@ class Found:
     data: bytes
     file: str
     name: str | None = None
+
+    @cached_property
+    def sha256(self) -> str:
+        """Return the hash of the file."""
+        return sha256(self.data).hexdigest()
+
+    @cached_property
+    def text(self) -> str:
+        """Return the file as text."""
+        return self.data.decode("utf-8-sig")
 
 
 class Shelf(Protocol):

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, TypeVar
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
@@ -25,7 +26,11 @@ Check = Callable[[Tree], list[Problem]]
 
 
 def validate(
-    tree: Tree, model: type[D], check: Check | None = None, channels: ChannelTable | None = None
+    tree: Tree,
+    model: type[D],
+    check: Check | None = None,
+    channels: ChannelTable | None = None,
+    data: Any = None,  # noqa: ANN401  # data with parts of the document
 ) -> D:
     """Make the document of a tree.
 
@@ -39,6 +44,8 @@ def validate(
         Finds problems between values; runs also when single values are wrong.
     channels : ChannelTable, optional
         Channels that the file may name; the shipped legform's when missing.
+    data : any, optional
+        The tree's data with parts of the document in it that were made before, of the same data.
 
     Raises
     ------
@@ -46,11 +53,15 @@ def validate(
         With all problems of the file, sorted by place.
     """
     found = list(tree.problems)
-    document = None
-    try:
-        document = model.model_validate(tree.data, context={"channels": channels})
-    except ValidationError as error:
-        found += problems(error, tree, model)
+    document = data if isinstance(data, model) else None  # all of it was made before
+    if document is None and data is not None:
+        with suppress(ValidationError):  # which is told of the plain data, with its places
+            document = model.model_validate(data, context={"channels": channels})
+    if document is None:
+        try:
+            document = model.model_validate(tree.data, context={"channels": channels})
+        except ValidationError as error:
+            found += problems(error, tree, model)
     if check is not None:
         found += check(tree)
     if found or document is None:
