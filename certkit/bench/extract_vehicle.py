@@ -7,8 +7,11 @@ from typing import TYPE_CHECKING
 
 from certkit.bench.front_checks import PROCEDURE, self_checks
 from certkit.definitions.loading.library import load
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.errors import DefinitionError
 from certkit.exchange.fe.reading import data_folder, read_case_data
 from certkit.identification.five_steps import extract as identify
+from certkit.identification.part_groups import GroupingError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -61,14 +64,18 @@ def extract(
     folder = Path(data) if data is not None else data_folder(loaded.document.histories, path.parent)
     tell("reading histories")
     read = read_case_data(loaded.document.histories, folder)
-    result = identify(
-        loaded.document,
-        folder,
-        case_folder=path.parent,
-        case_digest={path.name: loaded.sha256},
-        progress=tell,
-        data=read,
-    )
+    try:
+        result = identify(
+            loaded.document,
+            folder,
+            case_folder=path.parent,
+            case_digest={path.name: loaded.sha256},
+            progress=tell,
+            data=read,
+        )
+    except GroupingError as error:
+        tree = read_tree(loaded.text.encode(), str(path))
+        raise DefinitionError([tree.problem(steps, said) for steps, said in error.faults]) from None
     if procedure is None:
         return result
     checks, motion = self_checks(loaded.document, read, result, procedure=procedure, tell=tell)

@@ -7,6 +7,8 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Section
+from certkit.definitions.loading.faults import Faults
+from certkit.definitions.part_selection import Box, IdRange
 from certkit.definitions.provenance import Length, Mass, Ratio, Time
 
 Format = Literal["openradioss native", "openradioss csv", "ls-dyna binout", "tidy csv"]
@@ -84,15 +86,32 @@ class CaseGroup(Section):
         Literal["impactor", "fascia", "hood", "engine room"],
         Field(description="The impactor brings the momentum; it is no part of the vehicle."),
     ]
-    parts: Annotated[list[str], Field(min_length=1, description="Names, or patterns such as `F1_*`.")]
+    parts: Annotated[list[str], Field(description="Names, or patterns such as `F1_*`.")] = []
+    boxes: Annotated[
+        list[Box], Field(max_length=200, description="All parts whose centre lies in one at the start.")
+    ] = []
+    ids: Annotated[
+        list[IdRange], Field(max_length=1000, description="All parts of these ids: `2005`, `1000-1999`.")
+    ] = []
     moves_with: Annotated[
         list[str] | Literal["front", "centre of gravity"] | None,
         Field(description="Nodes or rule; fascia: front, otherwise: centre of gravity."),
+    ] = None
+    moves_with_box: Annotated[
+        Box | None, Field(description="The mean of all recorded nodes that lie in it at the start.")
     ] = None
     low: Annotated[Length | None, Field(description="Lower end of its face above the ground.")] = None
     high: Length | None = None
     position: Annotated[Length | None, Field(description="x of its face at mid-height.")] = None
     slope: Ratio | None = None
+
+    @model_validator(mode="after")
+    def _has_parts(self) -> CaseGroup:
+        if not (self.parts or self.boxes or self.ids):
+            raise ValueError("a group needs `parts`, `boxes` or `ids`")
+        if self.moves_with is not None and self.moves_with_box is not None:
+            raise Faults([(("moves with box",), "stands beside `moves with`; keep one of them")])
+        return self
 
 
 class Path(Section):

@@ -12,6 +12,7 @@ import numpy as np
 
 from certkit.errors import DataError
 from certkit.identification.grouping import GROUND, Graph, Link
+from certkit.identification.part_groups import nodes_in
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -38,6 +39,8 @@ def group_displacements(case: Case, graph: Graph, histories: PartHistories, grid
         if name not in needed:
             moved[name] = np.zeros_like(grid.time)
             continue
+        if group.moves_with_box is not None:
+            rule = nodes_in(group.moves_with_box, histories, name)
         if isinstance(rule, list):
             moved[name] = np.mean([grid.resample(histories.node(node)) for node in rule], axis=0)
         else:

@@ -13,6 +13,7 @@ from certkit.identification.displacement import shortening
 from certkit.identification.extraction_parts import group_result, path_result
 from certkit.identification.first_steps import FirstSteps, first_steps
 from certkit.identification.material import MOST_SPREAD, convert, front_spread, parse_area
+from certkit.identification.part_groups import left_over
 from certkit.identification.path_laws import path_laws
 
 if TYPE_CHECKING:
@@ -59,6 +60,9 @@ def extract(
     steps = first_steps(case, data)
     warnings: list[str] = []
     notes = [*case.notes, *steps.data.histories.notes]
+    forgotten, noted = left_over(steps.graph.groups, steps.data.histories)
+    warnings += forgotten
+    notes += noted
     fits, sheets = path_laws(steps, warnings, notes, progress)
     warnings += closure_warnings(steps)
     closed = closes(steps, warnings)

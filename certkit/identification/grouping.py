@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
+from certkit.identification.part_groups import part_groups
 
 if TYPE_CHECKING:
-    from certkit.definitions.extraction_case import Case, CaseGroup, Path
+    from certkit.definitions.extraction_case import Case, Path
     from certkit.exchange.fe import PartHistories
 
 GROUND = "ground"
@@ -70,21 +71,12 @@ def build_graph(case: Case, histories: PartHistories) -> Graph:
             f"the case {case.case} has no groups and paths yet; `certkit extract CASE.yaml --propose` "
             "writes a first grouping to edit"
         )
-    groups = {name: _parts(name, group, histories) for name, group in case.groups.items()}
-    if GROUND in groups:
+    if GROUND in case.groups:
         raise DataError(
             "a group cannot be called `ground`: that is the car's body, which takes up what arrives"
             "; give it another name"
         )
-    owner: dict[str, str] = {}
-    for name, parts in groups.items():
-        for part in parts:
-            if part in owner:
-                raise DataError(
-                    f"part `{part}` is in the groups `{owner[part]}` and `{name}`; it can be in one"
-                    "; leave it out of one"
-                )
-            owner[part] = name
+    groups = part_groups(case, histories)
     links: dict[str, Link] = {}
     for path in case.paths:
         if path.name in links:
@@ -109,20 +101,3 @@ def _link(path: Path, groups: dict[str, tuple[str, ...]]) -> Link:
         raise DataError(f"path {path.name}: a recorded spring leads to the ground; write [{source}, ground]")
     start = None if path.start is None else float(path.start)
     return Link(path.name, source, target, path.contact, path.spring, path.tension, path.law, start)
-
-
-def _parts(name: str, group: CaseGroup, histories: PartHistories) -> tuple[str, ...]:
-    parts = []
-    for pattern in group.parts:
-        try:
-            part = histories.part(pattern)
-        except DataError as error:
-            raise DataError(f"group `{name}`: {error}") from None
-        if part.momentum is None:
-            raise DataError(
-                f"{histories.source}: group `{name}`: part `{pattern}` has no momentum; if it is a rigid "
-                "body, describe it "
-                "under `rigid bodies` (its mass and main node)"
-            )
-        parts.append(next(n for n, p in histories.parts.items() if p is part))
-    return tuple(parts)

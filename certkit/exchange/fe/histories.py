@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     Values = NDArray[np.float64]
+    Place = tuple[float | None, float | None, float | None]
 
 T = TypeVar("T")
 
@@ -92,12 +93,18 @@ class PartHistory:
         Displacement of the centre of gravity along x in m.
     front : ndarray, shape (n,), or None
         Mean displacement of the part's front along x in m.
+    id : int or None
+        Its number in the model; None where the file has none.
+    start : tuple or None
+        (x, y, z) of its centre at the start in m, a coordinate that is not known None; None where none is.
     """
 
     mass: float | None = None
     momentum: Values | None = None
     displacement: Values | None = None
     front: Values | None = None
+    id: int | None = None
+    start: Place | None = None
 
 
 @dataclass(frozen=True)
@@ -126,6 +133,8 @@ class PartHistories:
         Seconds, strictly increasing.
     parts, nodes, contacts, springs, energies : mapping
         By the name in the model. Node values are displacements along x in m, energies in J.
+    node_places : mapping
+        (x, y, z) of nodes at the start in m, as far as the file tells them.
     leg : mapping
         Moments (N·m) and elongations (m) of the leg by channel: T1, MCL …; only looked at to judge.
     notes : tuple of str
@@ -141,6 +150,7 @@ class PartHistories:
     springs: Mapping[str, SpringHistory] = field(default_factory=dict)
     energies: Mapping[str, Values] = field(default_factory=dict)
     leg: Mapping[str, Values] = field(default_factory=dict)
+    node_places: Mapping[str, Place] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     source: str = ""
     files: Mapping[str, str] = field(default_factory=dict)

@@ -10,6 +10,7 @@ Both the native file and its conversion to CSV arrive here as `Block`s of variab
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.definitions.extraction_case import RigidBody
+    from certkit.exchange.fe.histories import Place
     from certkit.exchange.fe.radioss_channels import Channels
 
     Values = NDArray[np.float64]
@@ -78,6 +80,7 @@ def part_histories(channels: Channels, units: Units, rigid_bodies: Mapping[str, 
                 notes.append(
                     f"{name}: the file's mass drifts by {100 * drift:.0f} %; the initial mass is used"
                 )
+    parts = {name: replace(part, id=channels.part_ids.get(name)) for name, part in parts.items()}
     contacts = {}
     for name, variables in channels.contacts.items():
         recorded = _variable(variables, "FNX", name, source) + variables.get("FTX", 0.0)
@@ -89,6 +92,7 @@ def part_histories(channels: Channels, units: Units, rigid_bodies: Mapping[str, 
         time=channels.time * units.time,
         parts=parts,
         nodes={n: v["DX"] * units.length for n, v in channels.nodes.items() if "DX" in v},
+        node_places={n: p for n, v in channels.nodes.items() if (p := _node_place(v, units))},
         contacts=contacts,
         energies={n: v * units.energy for n, v in channels.energies.items()},
         notes=tuple(notes),
@@ -107,7 +111,15 @@ def _rigid(name: str, body: RigidBody, channels: Channels, units: Units) -> Part
             "node in the case"
         )
     mass = float(body.mass)
-    return PartHistory(mass, mass * velocity, displacement, displacement)
+    return PartHistory(mass, mass * velocity, displacement, displacement, start=_node_place(node, units))
+
+
+def _node_place(node: Mapping[str, Values], units: Units) -> Place | None:
+    """Return a node's place at the start, m; None where the file does not tell it."""
+    if not all(axis in node for axis in "XYZ"):
+        return None
+    x, y, z = (float(node[axis][0] - node.get(f"D{axis}", [0.0])[0]) * units.length for axis in "XYZ")
+    return (x, y, z)
 
 
 def _deformable(name: str, variables: Mapping[str, Values], units: Units, source: str) -> PartHistory:
@@ -121,7 +133,16 @@ def _deformable(name: str, variables: Mapping[str, Values], units: Units, source
         mass=float(mass[0]) * units.mass,
         momentum=momentum * units.momentum,
         displacement=None if position is None else (position - position[0]) * units.length,
+        start=_centre(variables, units),
     )
+
+
+def _centre(variables: Mapping[str, Values], units: Units) -> Place | None:
+    """Return a part's centre at the start, m; None where the file does not tell it."""
+    at = [
+        float(variables[key][0]) * units.length if key in variables else None for key in ("XCG", "YCG", "ZCG")
+    ]
+    return None if at[0] is None and at[2] is None else (at[0], at[1], at[2])
 
 
 def _drift(variables: Mapping[str, Values]) -> float:

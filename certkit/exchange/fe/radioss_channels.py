@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -26,6 +26,8 @@ class Channels:
         Whether contact channels are impulses (native file) or forces (converted CSV).
     unread : tuple of str
         Heads of columns that nothing is known of.
+    part_ids : mapping of str to int
+        Where the file has them.
     notes : tuple of str
         What the reader has to say.
     """
@@ -40,3 +42,4 @@ class Channels:
     digest: str
     unread: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+    part_ids: Mapping[str, int] = field(default_factory=dict)

@@ -70,6 +70,7 @@ class HistoryDirectory:
     subset_width: int
     groups: tuple[ObjectGroup, ...]
     factors: tuple[float, float, float] | None = None
+    part_ids: tuple[int, ...] = ()
 
 
 def read_directory(records: FortranRecords, source: str) -> HistoryDirectory:
@@ -199,6 +200,7 @@ def _read_directory(records: FortranRecords, source: str) -> HistoryDirectory:
         subset_width,
         tuple(_named_groups(groups)),
         factors,
+        tuple(number for number, _ in titles),
     )
 
 

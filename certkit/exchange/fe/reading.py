@@ -64,7 +64,7 @@ def read_case_data(section: HistoryFiles, folder: Path) -> FrontData:
         motion, digests[str(found)] = read_node_motion(found)
         if section.node_motion is None:
             notes = (*notes, f"the faces' outlines come from the motion of nodes in {found.name}")
-    parts = {name: _with_mass(part, faces.get(name)) for name, part in histories.parts.items()}
+    parts = {name: _completed(part, faces.get(name)) for name, part in histories.parts.items()}
     names = {str(p): n for p, n in zip(paths, section.files, strict=True)}
     files = {
         names.get(path, Path(path).name): digest for path, digest in {**histories.files, **digests}.items()
@@ -82,8 +82,16 @@ def _motion_file(section: HistoryFiles, folder: Path) -> Path | None:
     return found[0] if len(found) == 1 else None
 
 
-def _with_mass(part: PartHistory, face: Face | None) -> PartHistory:
-    return replace(part, mass=face.mass) if part.mass is None and face is not None else part
+def _completed(part: PartHistory, face: Face | None) -> PartHistory:
+    """Take a part's mass and the place of its centre from the table where its histories do not tell them."""
+    if face is None:
+        return part
+    place = None if face.centre is None else (face.centre[0], None, face.centre[1])
+    return replace(
+        part,
+        mass=face.mass if part.mass is None else part.mass,
+        start=place if part.start is None else part.start,
+    )
 
 
 def _inside(folder: Path, name: str) -> Path:

@@ -6,6 +6,7 @@ displacement is the integral of its velocity.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 
     from certkit.definitions.extraction_case import HistoryFiles, RigidBody
     from certkit.definitions.virtual_test import FiniteElements
+    from certkit.exchange.fe.histories import Place
 
     Values = NDArray[np.float64]
 
@@ -92,11 +94,14 @@ def _read(
     time = binout.times("matsum", units.time)
     notes = ["displacements of centres of gravity are integrals of the parts' velocities"]
     nodes = _nodes(binout, time, units) if "nodout" in tables else {}
+    places = _places(binout, units) if "nodout" in tables else {}
     parts = _parts(binout, time, units, rigid_bodies, notes, source)
     for name, body in rigid_bodies.items():
         if body.node in nodes:
             moved = nodes[body.node]
-            parts[name] = PartHistory(body.mass, parts[name].momentum, moved, moved)
+            parts[name] = replace(
+                parts[name], mass=body.mass, displacement=moved, front=moved, start=places.get(body.node)
+            )
     contacts = _contacts(binout, time, units) if "rcforc" in tables else {}
     if contacts:
         notes.append("contact impulses are integrals of the recorded forces")
@@ -109,6 +114,7 @@ def _read(
         notes=(*notes, *binout.remarks()),
         source=source,
         files=digests,
+        node_places=places,
     )
 
 
@@ -117,6 +123,22 @@ def _nodes(binout: BinoutTables, time: Values, units: Units) -> dict[str, Values
     moved = binout.columns("nodout", "x_displacement") * units.length
     names = binout.legend("nodout")
     return {name: np.interp(time, at, moved[:, k]) for k, name in enumerate(names)}
+
+
+def _places(binout: BinoutTables, units: Units) -> dict[str, Place]:
+    """Return the places of nodes at the start, m, where the file tells their coordinates."""
+    if not all(
+        binout.has("nodout", f"{axis}_{kind}") for axis in "xyz" for kind in ("coordinate", "displacement")
+    ):
+        return {}
+    at = [
+        binout.columns("nodout", f"{axis}_coordinate")[0]
+        - binout.columns("nodout", f"{axis}_displacement")[0]
+        for axis in "xyz"
+    ]
+    x, y, z = (units.length * each for each in at)
+    names = binout.legend("nodout")
+    return {name: (float(x[k]), float(y[k]), float(z[k])) for k, name in enumerate(names)}
 
 
 def _energies(binout: BinoutTables, time: Values, units: Units) -> dict[str, Values]:
@@ -148,7 +170,7 @@ def _parts(
     names = binout.legend("matsum")
     for name in rigid_bodies:
         match_one(name, dict.fromkeys(names), "part", source)
-    parts = {}
+    parts, ids = {}, binout.ids("matsum")
     for k, name in enumerate(names):
         m = float(mass[0, k]) or None
         if name in rigid_bodies:
@@ -157,7 +179,8 @@ def _parts(
         if m is not None and (momentum is None or (name in rigid_bodies and not np.any(momentum))):
             momentum = m * velocity[:, k]
         steps = 0.5 * (velocity[1:, k] + velocity[:-1, k]) * np.diff(time)
-        parts[name] = PartHistory(m, momentum, np.concatenate([[0.0], np.cumsum(steps)]))
+        moved = np.concatenate([[0.0], np.cumsum(steps)])
+        parts[name] = PartHistory(m, momentum, moved, id=ids[k])
     return parts
 
 

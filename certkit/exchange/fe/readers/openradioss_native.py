@@ -104,6 +104,7 @@ def read_native(path: Path, units: str | None = None) -> Channels:
     return Channels(
         time, energies, parts, objects[CONTACT_GROUP], objects[NODE_GROUP],
         impulses=True, source=source, digest=digest, notes=() if remark is None else (remark,),
+        part_ids={name: n for n, (name, _) in zip(directory.part_ids, directory.parts, strict=True)},
     )  # fmt: skip
 
 
