@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from certkit.reporting.channel_names import channel_scale, channel_words
 from certkit.reporting.charts.motion_frames import FILL
 from certkit.reporting.charts.run_and_model import moment_peak, view_box
-from certkit.reporting.extraction_checks import channel_scale, channel_words
+from certkit.reporting.coupled_check import check_of
 from certkit.reporting.number_format import decimals as decimals_of
 from certkit.reporting.page_data import differences
 from certkit.reporting.scales import span
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
     from certkit.documents.extraction import ExtractionResult
     from certkit.documents.front_motion import FrontMotion, MovingLine
-    from certkit.documents.self_check import ChannelCheck, SelfCheck
+    from certkit.documents.self_check import ChannelCheck
 
 PLACE_UNIT = 1e-4
 """Places travel as whole tenths of a millimetre."""
@@ -33,7 +34,7 @@ def extraction_payload(result: ExtractionResult, worst: str | None) -> dict[str,
     """
     if result.motion is None:
         return None
-    coupled = coupled_check(result)
+    coupled = check_of(result, "coupled")
     channels = sorted(coupled.channels, key=_down_the_leg) if coupled else []
     timed = [c for c in channels if c.start is not None and c.interval is not None]
     axis = None
@@ -47,11 +48,6 @@ def extraction_payload(result: ExtractionResult, worst: str | None) -> dict[str,
         "channels": [_channel(check) for check in timed],
         "motion": _motion(result.motion, worst),
     }
-
-
-def coupled_check(result: ExtractionResult) -> SelfCheck | None:
-    """Return the check of leg and front together; None where there is none."""
-    return next((check for check in result.checks if check.id == "coupled"), None)
 
 
 def _down_the_leg(check: ChannelCheck) -> tuple[int, str]:

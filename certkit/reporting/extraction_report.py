@@ -1,22 +1,21 @@
 """Extraction of a vehicle from finite-element histories, as a page and as PDF, from its document alone.
 
-The figures are those of the paper: momentum balance (17), force between groups (18), force over shortening
-(19), and the stress–strain curve beside the material's own (20).
+First what the self-checks show: run and model in motion (the paper's Fig. 22), the worst group, the leg's
+channels (23), the load paths. Then the five steps: momentum (17), force between groups (18), force over
+shortening (19), and the stress–strain curve beside the material's own (20).
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from certkit._version import __version__
 from certkit.errors import MissingPartError
 from certkit.files import write_whole
 from certkit.reporting.attachments import Enclosure
-from certkit.reporting.charts.extraction_charts import material_chart, momentum_chart, path_charts
-from certkit.reporting.charts.run_and_model import leg_colours, run_and_model
-from certkit.reporting.extraction_checks import check_views
+from certkit.reporting.coupled_check import worst_group
 from certkit.reporting.extraction_data import extraction_payload
+from certkit.reporting.extraction_view import extraction_view
 from certkit.reporting.html_report import SCRIPTS
 from certkit.reporting.left_out import leave_out
 from certkit.reporting.page_data import embedded
@@ -29,17 +28,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection
     from pathlib import Path
 
-    from certkit.documents.extraction import PathResult
     from certkit.identification import ExtractionResult
-    from certkit.reporting.svg import Drawing
-
-
-@dataclass(frozen=True)
-class PathView:
-    """A load path with its figures."""
-
-    path: PathResult
-    drawings: list[Drawing]
 
 
 def render_extraction(result: ExtractionResult, out: Path, formats: Collection[str]) -> list[Path]:
@@ -67,14 +56,14 @@ def render_extraction(result: ExtractionResult, out: Path, formats: Collection[s
 
 def extraction_page(result: ExtractionResult) -> str:
     """Return the page."""
-    parts = _parts(result)
-    data = extraction_payload(result, parts["worst"])
+    data = extraction_payload(result, worst_group(result))
     return static_page(
         "extraction.html.j2",
         result.title,
         scripts=SCRIPTS if data else (),
         data=embedded(data) if data else None,
-        **parts,
+        doc=result,
+        view=extraction_view(result),
     )
 
 
@@ -87,30 +76,8 @@ def extraction_pdf(result: ExtractionResult) -> bytes:
         version=__version__,
         created=created.strftime("%Y-%m-%dT%H:%M:%SZ"),
         style=text("styles/certificate.css"),
-        **_parts(result),
+        doc=result,
+        view=extraction_view(result),
     )
     enclosed = Enclosure("extraction.json", "extraction result", result.to_json().encode(), "Data")
     return typeset(html, [enclosed], created)
-
-
-def _parts(result: ExtractionResult) -> dict[str, Any]:
-    return {
-        "doc": result,
-        "momentum": momentum_chart(result),
-        "paths": [
-            PathView(path, path_charts(result, path) if any(path.force) else []) for path in result.paths
-        ],
-        "material": material_chart(result.material) if result.material else None,
-        "checks": check_views(result),
-        "worst": _worst(result),
-        "stills": run_and_model(result.motion) if result.motion else None,
-        "colours": leg_colours(result.motion) if result.motion else None,
-    }
-
-
-def _worst(result: ExtractionResult) -> str | None:
-    """Return the group whose movement in the coupled run, else in that of the front alone, errs most."""
-    for check in reversed(result.checks):
-        if check.groups:
-            return check.groups[0].name
-    return None

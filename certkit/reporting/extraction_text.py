@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.reporting.extraction_checks import channel_words
+from certkit.reporting.channel_names import channel_words
 
 if TYPE_CHECKING:
     from certkit.documents.extraction import ExtractionResult

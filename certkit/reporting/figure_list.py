@@ -53,6 +53,11 @@ FIGURES = MappingProxyType(
             "stiffness": FigureEntry("extraction_charts:stiffness", "force over shortening"),
             "material": FigureEntry("extraction_charts:material", "stress over strain"),
             "frames": FigureEntry("run_and_model:draw", "run and model at a few instants"),
+            "channels": FigureEntry("leg_channels:draw", "the leg's channels in run and model"),
+            "groups": FigureEntry("group_response:draw", "movement of groups, and the leg's force on them"),
+            "paths": FigureEntry("load_paths:draw", "load paths of run and model, to scale in height"),
+            "springs": FigureEntry("spring_curves:draw", "force over shortening in run, law and model"),
+            "bars": FigureEntry("paired_bars:draw", "impulse and energy in run and model"),
         },
     }
 )

@@ -46,6 +46,16 @@ PENS = (
     Pen("#2f7fb5", "12 4"),
 )
 
+_DASHES = (
+    *(pen.dash for pen in PENS),
+    *("12 3 2 3 2 3", "5 5", "14 3 4 3", "3 1.2", "8 2 1 2 1 2", "1 1.5", "16 5", "6 2 6 6"),
+)
+
+GROUP_PENS = tuple(
+    Pen(PENS[k % len(PENS)].colour, _DASHES[k % len(_DASHES)]) for k in range(len(PENS) * len(_DASHES))
+)
+"""Pens for many lines of one report: the first 15 differ in their dashes, the first 105 in colour or dash."""
+
 # Anchors of the diverging colour scale of bending moments: −1, −½, 0, +½, +1. Lightness falls evenly to both
 # sides, so a grey print still shows the magnitude.
 _ANCHORS = ((8, 69, 148), (107, 163, 209), (232, 230, 224), (240, 155, 84), (166, 47, 14))

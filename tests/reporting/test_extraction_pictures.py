@@ -11,11 +11,17 @@ from support.synthetic_result import parsed
 
 from certkit.documents.extraction import ExtractionResult
 from certkit.documents.front_motion import MovingLine
+from certkit.reporting.charts.extraction_charts import momentum_chart
+from certkit.reporting.charts.load_paths import sketches
+from certkit.reporting.charts.paired_bars import bars_of
 from certkit.reporting.charts.run_and_model import draw
+from certkit.reporting.charts.spring_curves import spring_chart
 from certkit.reporting.extraction_report import extraction_page
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    from certkit.reporting.svg import Drawing
 
 
 @pytest.fixture(scope="module")
@@ -99,3 +105,81 @@ def test_a_side_that_is_not_known_is_left_out(extraction: ExtractionResult) -> N
     line = embedded(extraction_page(extraction.model_copy(update={"motion": motion})))["motion"]["lines"][-1]
     assert "run" not in line
     assert line["model"]["places"]
+
+
+def test_the_worst_group_and_the_worst_curve_come_first_with_their_pictures(html: str) -> None:
+    assert '<h2 id="worst-group">Worst group: F2</h2>' in html
+    assert html.index("F2 moves") < html.index("F1 moves")
+    worst = html.index("<b>Worst curve.</b>")
+    assert html.rindex(">Tibia moment 1<", 0, worst) > 0
+    assert worst < html.index(">MCL elongation<", worst)
+
+
+def test_a_gauge_is_not_called_by_a_faces_name(html: str) -> None:
+    keys = re.findall(r'class="(?:key|title)"[^>]*>([^<]+)<', html)
+    assert "Femur moment 1" in keys
+    assert {"F1", "F2"} <= set(keys)
+    assert not any(re.fullmatch(r"T\d", words) for words in keys)
+
+
+def test_a_spring_that_went_farther_than_the_run_showed_is_shaded(extraction: ExtractionResult) -> None:
+    paths = {path.name: path for path in extraction.paths}
+    assert 'class="guard"' in str(spring_chart(extraction, paths["F2 – E1"]))
+    assert 'class="guard"' not in str(spring_chart(extraction, paths["E1 – ground"]))
+
+
+def test_both_branches_of_a_spring_and_of_its_law_are_drawn(extraction: ExtractionResult) -> None:
+    path = next(path for path in extraction.paths if path.name == "F2 – E1")
+    drawn = parsed(str(spring_chart(extraction, path)))
+    curves = [
+        e for e in drawn.iter() if e.tag.endswith("path") and (e.get("class") or "").startswith("curve")
+    ]
+    assert len({(e.get("stroke"), e.get("stroke-dasharray")) for e in curves}) == 4
+    assert "run, run, back, law, model" in (drawn.get("aria-label") or "")
+
+
+def test_paths_are_as_broad_as_their_impulses_in_run_and_model(extraction: ExtractionResult) -> None:
+    def breadths(drawing: Drawing) -> dict[str, float]:
+        found = {}
+        for e in parsed(str(drawing)).iter():
+            told = [child.text or "" for child in e if child.tag.endswith("title")]
+            if e.get("stroke-width") and told:
+                found[told[0].split(":")[0]] = float(e.get("stroke-width") or 0)
+        return found
+
+    run, model = (breadths(drawing) for drawing in sketches(extraction))
+    assert run.keys() <= model.keys()
+    assert model["F2 – E1"] > model["E1 – ground"]
+    assert model["leg – F1"] == pytest.approx(model["leg – F2"])  # both took 22 N·s
+
+
+def test_bars_say_their_values_and_stand_in_the_order_of_height(extraction: ExtractionResult) -> None:
+    said = bars_of(extraction)[0].title
+    assert said.endswith("N·s: F2 20 and 22; F1 20 and 22")
+
+
+def test_no_two_groups_share_a_line_style(extraction: ExtractionResult) -> None:
+    many = tuple(
+        extraction.groups[1].model_copy(update={"name": f"G{k}", "kind": ("a", "b")[k % 2]})
+        for k in range(15)
+    )
+    drawn = parsed(str(momentum_chart(extraction.model_copy(update={"groups": many}))))
+    styles = [
+        (e.get("stroke"), e.get("stroke-dasharray"))
+        for e in drawn.iter()
+        if e.tag.endswith("path") and (e.get("class") or "").startswith("curve")
+    ]
+    assert len(styles) == len(set(styles)) == 15
+    assert len({dash for _, dash in styles}) == 15
+
+
+def test_permanent_set_is_a_share_of_the_largest_shortening(html: str) -> None:
+    assert "permanent set 30 % of the largest shortening" in html
+
+
+def test_the_front_alone_is_shown_where_the_impactor_was_no_leg(extraction: ExtractionResult) -> None:
+    front = extraction.model_copy(update={"checks": extraction.checks[:1], "motion": None})
+    html = extraction_page(front)
+    assert "Worst group: F2" in html
+    assert "front alone" in html
+    assert "Moments and ligaments" not in html

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.reporting.charts.chosen import chosen
 from certkit.reporting.charts.grid import side_by_side, together
 from certkit.reporting.charts.lines import Line, lines_chart
-from certkit.reporting.palette import PENS
+from certkit.reporting.palette import GROUP_PENS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from certkit.reporting.svg import Drawing
 
 WIDTH, HEIGHT = 360.0, 220.0
+MOST_LINES = 7
+"""Of a panel."""
 
 
 def momentum(result: ExtractionResult, names: Sequence[str]) -> Drawing | None:
@@ -58,14 +60,18 @@ def _milliseconds(result: ExtractionResult) -> list[float]:
 
 
 def momentum_chart(result: ExtractionResult) -> Drawing | None:
-    """Draw the momenta over time in panels by kind, so that no two groups of a panel share a pen."""
+    """Draw the momenta over time in panels by kind; each group has a pen of its own in all of them."""
     times = _milliseconds(result)
+    pens = {group.name: GROUP_PENS[k % len(GROUP_PENS)] for k, group in enumerate(result.groups)}
     panels = []
     for kind in dict.fromkeys(group.kind for group in result.groups):
         groups = [group for group in result.groups if group.kind == kind]
-        for start in range(0, len(groups), len(PENS)):
-            lines: list[Line] = [(g.name, times, g.momentum) for g in groups[start : start + len(PENS)]]
-            panels.append(lines_chart(lines, f"Momentum, {kind}", "ms", "N·s", width=WIDTH, height=HEIGHT))
+        for start in range(0, len(groups), MOST_LINES):
+            part = groups[start : start + MOST_LINES]
+            lines: list[Line] = [(g.name, times, g.momentum) for g in part]
+            own = [pens[g.name] for g in part]
+            title = f"Momentum, {kind}"
+            panels.append(lines_chart(lines, title, "ms", "N·s", width=WIDTH, height=HEIGHT, pens=own))
     return side_by_side(panels, "Momentum of the groups") if panels else None
 
 
@@ -90,16 +96,21 @@ def path_charts(result: ExtractionResult, path: PathResult, *, head: str = "") -
     if path.law:
         law = ([v * 1e3 for v in path.law.shortening], path.law.force)
         laws.append(("law", *_up_to(1.1 * max(shortening, default=0.0), *law)))
-    size = {"width": WIDTH, "height": HEIGHT}
     drawn = [
-        lines_chart([("impulse", times, path.impulse)], head or "Impulse", "ms", "N·s", **size),
-        lines_chart(forces, head or "Force", "ms", "N", **size),
+        lines_chart(
+            [("impulse", times, path.impulse)], head or "Impulse", "ms", "N·s", width=WIDTH, height=HEIGHT
+        ),
+        lines_chart(forces, head or "Force", "ms", "N", width=WIDTH, height=HEIGHT),
     ]
     if path.sheet is not None:
         lines: list[Line] = [("path", [1e3 * at for at in path.sheet.progress], path.sheet.force)]
-        drawn.append(lines_chart(lines, head or "Sheet, pushed in", "progress, mm", "N", **size))
+        drawn.append(
+            lines_chart(lines, head or "Sheet, pushed in", "progress, mm", "N", width=WIDTH, height=HEIGHT)
+        )
     elif any(path.shortening):  # a contact between groups that merely touch has none
-        drawn.append(lines_chart(laws, head or "Stiffness", "shortening, mm", "N", **size))
+        drawn.append(
+            lines_chart(laws, head or "Stiffness", "shortening, mm", "N", width=WIDTH, height=HEIGHT)
+        )
     return drawn
 
 

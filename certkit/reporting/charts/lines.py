@@ -13,19 +13,34 @@ Line = tuple[str, Sequence[float], Sequence[float]]
 """Name, abscissae, ordinates."""
 
 
-def lines_chart(
-    lines: Sequence[Line], title: str, x_title: str, unit: str, *, width: float = 740, height: float = 230
+def lines_chart(  # noqa: PLR0913  # words, lines, and what stands beside them
+    lines: Sequence[Line],
+    title: str,
+    x_title: str,
+    unit: str,
+    *,
+    width: float = 740,
+    height: float = 230,
+    pens: Sequence[palette.Pen] = palette.PENS,
+    marks: Sequence[tuple[int, float, float]] = (),
+    beyond: float | None = None,
 ) -> Drawing:
     """Draw lines with a legend to the right of the title.
 
     Parameters
     ----------
     lines : sequence of (name, x, y)
-        At most seven are told apart by pen; more repeat.
+        As many as there are pens are told apart; more repeat.
     title, x_title, unit : str
         Words at the plot's head, at its abscissa and the ordinate's unit.
     width, height : float
         Size in pixels.
+    pens : sequence of Pen
+        One a line, where the usual ones do not serve.
+    marks : sequence of (line, x, y)
+        Dots, such as at a line's peak.
+    beyond : float, optional
+        The plot is shaded from this abscissa on.
     """
     rows = _legend(lines, title, width)
     x = span([v for _, xs, _ in lines for v in xs], margin=0)
@@ -33,10 +48,16 @@ def lines_chart(
     above = 12.0 + 16 * (1 + max(row for row, _ in rows))
     below = 22.0 if len(x_title) < 4 else 36.0
     frame = Frame.around(x, y, width=width, height=height, above=above, below=below)
-    drawn = frame.axes(title, x_title, unit)
+    drawn = ""
+    if beyond is not None and beyond < x[1]:
+        left = frame.x(max(beyond, x[0]))
+        wide, high = frame.right - left, frame.bottom - frame.top
+        fill = palette.GUARD
+        drawn += tag("rect", x=left, y=frame.top, width=wide, height=high, fill=fill, class_="guard")
+    drawn += frame.axes(title, x_title, unit)
     for index, ((name, xs, ys), (row, place)) in enumerate(zip(lines, rows, strict=True)):
-        css = f"curve p{index % len(palette.PENS)}"
-        pen = palette.PENS[index % len(palette.PENS)]
+        pen = pens[index % len(pens)]
+        css = f"curve {_css(pen)}"
         points = traced(list(zip(xs, ys, strict=True)), 90)
         data = path(frame.place(a, b) for a, b in points)
         drawn += tag(
@@ -61,7 +82,16 @@ def lines_chart(
             class_=css,
         )
         drawn += label(place + 27, line + 4, name, class_="key")
+    for index, a, b in marks:
+        pen = pens[index % len(pens)]
+        at = frame.place(a, b)
+        drawn += tag("circle", cx=at[0], cy=at[1], r=3.4, fill=pen.colour, class_=f"dot {_css(pen)}")
     return Drawing(width, height, drawn, f"{title} in {unit}: " + ", ".join(name for name, _, _ in lines))
+
+
+def _css(pen: palette.Pen) -> str:
+    """Return the class by which the page's themes know a pen's colour."""
+    return next((f"p{k}" for k, each in enumerate(palette.PENS) if each.colour == pen.colour), "p0")
 
 
 def _legend(lines: Sequence[Line], title: str, width: float) -> list[tuple[int, float]]:

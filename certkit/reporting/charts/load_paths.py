@@ -1,0 +1,264 @@
+"""The load paths of a front to scale in height: groups, and between them what each path passed on.
+
+The breadth of a path is its impulse, which adds up: what enters a group and does not leave it has moved it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from html import escape
+from typing import TYPE_CHECKING
+
+from certkit.reporting import palette
+from certkit.reporting.charts.grid import together
+from certkit.reporting.coupled_check import check_of
+from certkit.reporting.number_format import plain
+from certkit.reporting.scales import Scale, ticks
+from certkit.reporting.svg import Drawing, label, number, tag
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+    from certkit.documents.extraction import ExtractionResult, GroupResult
+
+WIDTH, HEIGHT, TOP, BOTTOM = 400.0, 520.0, 40.0, 26.0
+LEG, FACE, GROUND = 52.0, 150.0, 392.0
+"""px: where the leg, the faces and the ground stand."""
+BOX, TALL = 34.0, 17.0
+"""px: size of a group behind the faces."""
+BROADEST, LEAST = 26.0, 0.004
+"""px of the broadest path; share of it below which a path is left out."""
+TOLD = 0.02
+"""Share of the largest from which a path's number stands on it."""
+GROUND_NAME = "ground"
+
+
+@dataclass(frozen=True)
+class _Place:
+    x: float
+    z: float
+    left: float
+    right: float
+
+
+def draw(result: ExtractionResult, names: Sequence[str]) -> Drawing | None:
+    """Draw run and model side by side; None where no group has a face."""
+    del names
+    return together(sketches(result), f"Load paths of the front in run and model, {result.title}")
+
+
+def sketches(result: ExtractionResult) -> list[Drawing]:
+    """Return the sketch of the run and, where there is a coupled run, that of the model, at one scale."""
+    if not any(group.position is not None for group in result.groups):
+        return []
+    check = check_of(result, "coupled")
+    until = check.until if check else result.times[-1]
+    last = sum(t <= until + 1e-9 for t in result.times) - 1
+    run = {path.name: path.impulse[last] for path in result.paths}
+    if check is None:
+        return [_sketch(result, run, "Finite-element run", _largest(run))]
+    model = {path.name: path.impulse for path in check.paths}
+    impactors = {group.name for group in result.groups if group.kind == "impactor"}
+    for path in result.paths:
+        pressed = next((g.impulse for g in check.groups if g.name == path.target), None)
+        if path.source in impactors and pressed is not None:
+            model[path.name] = pressed
+    largest = max(_largest(run), _largest(model))
+    return [
+        _sketch(result, run, "Finite-element run", largest),
+        _sketch(result, model, "Lumped model", largest),
+    ]
+
+
+def _largest(impulses: Mapping[str, float]) -> float:
+    return max((abs(v) for v in impulses.values()), default=0.0) or 1.0
+
+
+def _sketch(result: ExtractionResult, impulses: Mapping[str, float], title: str, largest: float) -> Drawing:
+    groups = {group.name: group for group in result.groups}
+    faces = [g for g in result.groups if g.position is not None and g.low is not None and g.high is not None]
+    low, high = min(g.low or 0.0 for g in faces) - 0.06, max(g.high or 0.0 for g in faces) + 0.06
+    z = Scale(low, high, HEIGHT - BOTTOM, TOP)
+    places = _places(result, z)
+    drawn = _axis(z) + label(6, 14, title, font_weight="600", class_="title")
+    drawn += label(WIDTH - 6, 14, "impulse, N·s", text_anchor="end", fill=palette.MUTED, class_="tick unit")
+    bands, words, said = "", "", []
+    shown = sorted(
+        (p for p in result.paths if abs(impulses.get(p.name, 0.0)) > LEAST * largest),
+        key=lambda p: -abs(impulses[p.name]),
+    )
+    taken: list[tuple[float, float]] = []
+    for path in shown:
+        value = impulses[path.name]
+        source, target = places.get(path.source), places.get(path.target)
+        if target is None and path.target == GROUND_NAME and source is not None:
+            target = _Place(GROUND, source.z, GROUND, GROUND)
+        if groups.get(path.source) and groups[path.source].kind == "impactor" and target is not None:
+            source = _Place(LEG, target.z, LEG, LEG + 6)
+        if source is None or target is None:
+            continue
+        breadth = max(BROADEST * abs(value) / largest, 0.8)
+        band, at = _band(source, target, breadth, pulls=value < 0, name=path.name, value=value)
+        bands += band
+        if abs(value) > TOLD * largest:
+            words += _number(at, value, taken)
+            said.append(f"{path.name} {plain(value, 3)}")
+    leg = tag(
+        "rect", x=LEG - 6, y=TOP - 8, width=12, height=HEIGHT - BOTTOM - TOP + 8, rx=5, class_="leg-bar"
+    )
+    leg = leg.replace("<rect", f'<rect fill="{palette.LINE}"', 1)
+    wall = f"M{number(GROUND)} {number(TOP)}V{number(HEIGHT - BOTTOM)}"
+    drawn += bands + leg + tag("path", d=wall, stroke=palette.MUTED, stroke_width=3, class_="zero")
+    drawn += label(LEG, TOP - 13, "leg", text_anchor="middle", class_="key")
+    drawn += label(GROUND + 6, TOP - 6, "ground", text_anchor="end", class_="key")
+    drawn += "".join(_box(g, places[g.name], z) for g in result.groups if g.name in places) + words
+    listed = "; ".join(said)
+    return Drawing(WIDTH, HEIGHT, drawn, f"{title}: load paths with their impulses in N·s: {listed}")
+
+
+def _axis(z: Scale) -> str:
+    drawn = ""
+    for value in ticks(z.low * 1e3, z.high * 1e3, 8):
+        y = z(value / 1e3)
+        drawn += label(30, y + 3.6, plain(value), text_anchor="end", fill=palette.MUTED, class_="tick")
+        drawn += tag("path", d=f"M34 {number(y)}h5", stroke=palette.MUTED, class_="zero")
+    words = "height above ground, mm"
+    return drawn + label(6, HEIGHT - 8, words, fill=palette.MUTED, class_="tick")
+
+
+def _places(result: ExtractionResult, z: Scale) -> dict[str, _Place]:
+    """Return where groups stand: faces in front, others the farther right the later they are reached."""
+    heights = _heights(result)
+    faces = {g.name for g in result.groups if g.position is not None}
+    inside = [g.name for g in result.groups if g.kind != "impactor" and g.name not in faces]
+    depth = dict.fromkeys(faces, 0)
+    for _ in inside:
+        for path in result.paths:
+            if path.source in depth and path.target in inside and path.target != path.source:
+                depth[path.target] = min(
+                    max(depth.get(path.target, 0), depth[path.source] + 1), max(len(inside), 1)
+                )
+    deepest = max((depth.get(name, 1) for name in inside), default=1)
+    step = (GROUND - FACE - 60) / max(deepest, 1)
+    places = {name: _Place(FACE, z(heights[name]), FACE - 5, FACE + 5) for name in faces if name in heights}
+    for column in range(1, deepest + 1):
+        x = FACE + 30 + step * (column - 0.35)
+        members = sorted((n for n in inside if depth.get(n, 1) == column), key=lambda n: -heights.get(n, 0.0))
+        last = -1e9
+        for name in members:
+            if name not in heights:
+                continue
+            y = max(z(heights[name]), last + TALL + 4)
+            last = y
+            places[name] = _Place(x, y, x - BOX / 2, x + BOX / 2)
+    return places
+
+
+def _heights(result: ExtractionResult) -> dict[str, float]:
+    """Return the middle height of each group, m: of its face, of its nodes, or of what presses on it."""
+    heights = {
+        g.name: 0.5 * (g.low + g.high) for g in result.groups if g.low is not None and g.high is not None
+    }
+    for line in result.motion.lines if result.motion else ():
+        if line.name not in heights and line.kind == "inside":
+            first = (line.run or line.model)[0]
+            heights[line.name] = sum(z for _, z in first) / len(first)
+    for _ in result.groups:
+        for group in result.groups:
+            if group.name in heights or group.kind == "impactor":
+                continue
+            pressing = [
+                heights[p.source] for p in result.paths if p.target == group.name and p.source in heights
+            ]
+            if pressing:
+                heights[group.name] = sum(pressing) / len(pressing)
+    return heights
+
+
+def _band(
+    source: _Place, target: _Place, breadth: float, *, pulls: bool, name: str, value: float
+) -> tuple[str, tuple[float, float]]:
+    """Draw a path as a curve of its breadth, and return where its number stands; one that pulls is dashed."""
+    if abs(source.x - target.x) < 1:  # neighbours: an arc behind both
+        bulge = 26.0
+        data = (
+            f"M{number(source.right)} {number(source.z)}"
+            f"C{number(source.right + bulge)} {number(source.z)} {number(target.right + bulge)} "
+            f"{number(target.z)} {number(target.right)} {number(target.z)}"
+        )
+        at = (source.right + 0.75 * bulge, 0.5 * (source.z + target.z))
+    else:
+        middle = 0.5 * (source.right + target.left)
+        data = (
+            f"M{number(source.right)} {number(source.z)}C{number(middle)} {number(source.z)} "
+            f"{number(middle)} {number(target.z)} {number(target.left)} {number(target.z)}"
+        )
+        t = 0.35  # near its beginning, where paths to one group lie apart
+        rise = t * t * (3 - 2 * t)
+        along = 1.5 * t * (1 - t) ** 2 + 1.5 * t * t * (1 - t) + t**3
+        at = (
+            source.right + along * (target.left - source.right),
+            source.z + rise * (target.z - source.z),
+        )
+    pen = palette.PENS[1 if pulls else 0]
+    told = tag("title", escape(f"{name}: {plain(value, 3)} N·s{', pulls' if pulls else ''}"))
+    drawn = tag(
+        "path",
+        told,
+        d=data,
+        fill="none",
+        stroke=pen.colour,
+        stroke_opacity=0.5,
+        stroke_width=breadth,
+        stroke_dasharray="5 3" if pulls else None,
+        class_=f"p{1 if pulls else 0}",
+    )
+    return drawn, at
+
+
+def _number(at: tuple[float, float], value: float, taken: list[tuple[float, float]]) -> str:
+    """Write a path's number on it, a line lower where another one stands already."""
+    x, y = at[0], at[1] + 3.6
+    while any(abs(x - a) < 30 and abs(y - b) < 11 for a, b in taken):
+        y += 11
+    taken.append((x, y))
+    return label(
+        x,
+        y,
+        plain(value, 3),
+        text_anchor="middle",
+        class_="mark",
+        font_size=10.5,
+        paint_order="stroke",
+        stroke=palette.PAPER,
+        stroke_width=3,
+    )
+
+
+def _box(group: GroupResult, place: _Place, z: Scale) -> str:
+    if group.position is not None:
+        top, bottom = z(group.high or 0.0), z(group.low or 0.0)
+        bar = tag(
+            "rect",
+            x=place.left,
+            y=top + 1.5,
+            width=10,
+            height=max(bottom - top - 3, 4),
+            rx=2,
+            fill=palette.INK,
+            class_="face-bar",
+        )
+        return bar + label(place.left - 5, place.z + 4, group.name, text_anchor="end", class_="key mark")
+    frame = tag(
+        "rect",
+        x=place.left,
+        y=place.z - TALL / 2,
+        width=BOX,
+        height=TALL,
+        rx=4,
+        fill=palette.PAPER,
+        stroke=palette.INK,
+        stroke_width=1.2,
+        class_="group-box",
+    )
+    return frame + label(place.x, place.z + 4, group.name, text_anchor="middle", class_="key")

@@ -1,0 +1,138 @@
+"""What an extraction's page shows: the figures of its self-checks and of its load paths, in their order."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit.reporting.channel_names import channel_scale, channel_words
+from certkit.reporting.charts.extraction_charts import material_chart, momentum_chart, path_charts
+from certkit.reporting.charts.face_profiles import face_profiles
+from certkit.reporting.charts.group_response import contact, movement
+from certkit.reporting.charts.leg_channels import channel_chart
+from certkit.reporting.charts.load_paths import sketches
+from certkit.reporting.charts.paired_bars import bars_of
+from certkit.reporting.charts.run_and_model import leg_colours, run_and_model
+from certkit.reporting.charts.spring_curves import farther, path_check, reach, spring_chart
+from certkit.reporting.coupled_check import check_of, group_of, worst_group
+
+if TYPE_CHECKING:
+    from certkit.documents.extraction import ExtractionResult, PathResult
+    from certkit.documents.self_check import ChannelCheck, GroupCheck, PathCheck, SelfCheck
+    from certkit.reporting.svg import Drawing
+
+
+@dataclass(frozen=True)
+class ChannelView:
+    """A channel of the leg with its figure; values in the unit that is shown."""
+
+    check: ChannelCheck
+    words: str
+    scale: float
+    unit: str
+    drawing: Drawing | None
+
+
+@dataclass(frozen=True)
+class GroupView:
+    """A group with its figures: how it moves, and how the leg presses on it."""
+
+    name: str
+    kind: str
+    coupled: GroupCheck | None
+    alone: GroupCheck | None
+    drawings: list[Drawing]
+
+
+@dataclass(frozen=True)
+class SpringView:
+    """A spring or sheet with its force over shortening, and what it did in the coupled run.
+
+    `beyond` is how far model and run went, m, where the model went farther.
+    """
+
+    path: PathResult
+    check: PathCheck | None
+    beyond: tuple[float, float] | None
+    drawing: Drawing | None
+
+
+@dataclass(frozen=True)
+class PathView:
+    """A load path with its histories."""
+
+    path: PathResult
+    drawings: list[Drawing]
+
+
+@dataclass(frozen=True)
+class ExtractionView:
+    """All that the page and the PDF of an extraction show, with its figures drawn."""
+
+    stills: Drawing | None
+    colours: Drawing | None
+    worst: GroupView | None
+    groups: list[GroupView]
+    channels: list[ChannelView]
+    checks: list[tuple[SelfCheck, list[ChannelView]]]
+    profile: Drawing | None
+    sketches: list[Drawing]
+    bars: list[Drawing]
+    springs: list[SpringView]
+    paths: list[PathView]
+    momentum: Drawing | None
+    material: Drawing | None
+
+
+def extraction_view(result: ExtractionResult) -> ExtractionView:
+    """Draw everything of an extraction."""
+    coupled, alone = check_of(result, "coupled"), check_of(result, "front alone")
+    leg = check_of(result, "leg alone")
+    told = coupled or leg
+    fronts = coupled or alone
+    groups = [_group(result, group.name) for group in fronts.groups] if fronts else []
+    worst = worst_group(result)
+    springs = [
+        SpringView(
+            path,
+            path_check(result, path.name),
+            reach(result, path) if farther(result, path) else None,
+            spring_chart(result, path),
+        )
+        for path in result.paths
+        if path.law or path.sheet
+    ]
+    return ExtractionView(
+        stills=run_and_model(result.motion) if result.motion else None,
+        colours=leg_colours(result.motion) if result.motion else None,
+        worst=next((group for group in groups if group.name == worst), None),
+        groups=[group for group in groups if group.name != worst],
+        channels=[_channel(c, channel_chart(told, c, leg if coupled else None)) for c in told.channels]
+        if told
+        else [],
+        checks=[(check, [_channel(c, None) for c in check.channels]) for check in result.checks],
+        profile=face_profiles(result, fronts) if fronts and fronts.groups else None,
+        sketches=sketches(result),
+        bars=bars_of(result),
+        springs=[spring for spring in springs if spring.drawing],
+        paths=[
+            PathView(path, path_charts(result, path)[:2] if any(path.force) else []) for path in result.paths
+        ],
+        momentum=momentum_chart(result),
+        material=material_chart(result.material) if result.material else None,
+    )
+
+
+def _group(result: ExtractionResult, name: str) -> GroupView:
+    kind = next((group.kind for group in result.groups if group.name == name), "")
+    return GroupView(
+        name=name,
+        kind=kind,
+        coupled=group_of(check_of(result, "coupled"), name),
+        alone=group_of(check_of(result, "front alone"), name),
+        drawings=[drawn for drawn in (movement(result, name), contact(result, name)) if drawn],
+    )
+
+
+def _channel(check: ChannelCheck, drawing: Drawing | None) -> ChannelView:
+    return ChannelView(check, channel_words(check.name), *channel_scale(check.name), drawing)
