@@ -158,7 +158,8 @@ class FrontSheet(Section):
     Its force is no function of the shortening alone. Along the path of the recorded run both follow the
     progress, the mean displacement of the two groups: `path` holds [progress, shortening, force] while they
     are pushed in, `springing back` [share of the largest progress, shortening, force] that the way back adds
-    to the values at the largest progress. Off that path `stiffness` and `damping` act.
+    to the values at the largest progress. Off that path `stiffness` and `damping` act. Without `tension` it
+    is a contact that slides along the sheet: it only pushes, and off its path is as stiff as it is loaded.
     """
 
     between: Annotated[list[str], Field(min_length=2, max_length=2)]
@@ -166,6 +167,7 @@ class FrontSheet(Section):
     springing_back: Annotated[list[tuple[Ratio, Length, Force]], Field(max_length=500)] = []
     stiffness: Stiffness
     damping: Damping
+    tension: Annotated[bool, Field(description="Whether it also pulls.")] = True
 
     @model_validator(mode="after")
     def _rising(self) -> Self:
@@ -182,9 +184,17 @@ class FrontSheet(Section):
                 for k in range(1, len(places))
                 if places[k] <= places[k - 1]
             ]
+        if not self.tension and self.largest_force <= 0:
+            faults.append((("path",), "a contact that never pushes; leave it out, or give its forces"))
         if faults:
             raise Faults(faults)
         return self
+
+    @property
+    def largest_force(self) -> float:
+        """Return the largest force of both ways, N."""
+        end = float(self.path[-1][2])
+        return max([float(p[2]) for p in self.path] + [end + float(p[2]) for p in self.springing_back])
 
 
 class Vehicle(Section):

@@ -76,6 +76,7 @@ class SheetResult(Part):
     stiffness: Figure
     damping: Figure
     misfit_percent: Figure
+    tension: bool = True
 
 
 class PathResult(Part):

@@ -108,6 +108,7 @@ def _sheet_result(sheet: SheetLaw) -> SheetResult:
         stiffness=sheet.stiffness,
         damping=sheet.damping,
         misfit_percent=sheet.misfit,
+        tension=sheet.tension,
     )
 
 

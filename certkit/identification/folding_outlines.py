@@ -22,8 +22,12 @@ if TYPE_CHECKING:
 
     Values = NDArray[np.float64]
 
-STEPS_IN = 12
-STEPS_BACK = 5
+FINEST = 0.02
+"""Outlines stand at least this share of the largest displacement apart."""
+
+TOLERANCE = 3e-4
+"""m: an outline is left out where its neighbours give every point of it nearer than this."""
+
 REACH = 1.6
 """A face goes on to the next group's first node when that is nearer than this times its own longest piece."""
 
@@ -77,26 +81,66 @@ def _to_next(chain: Values, chains: dict[str, Values]) -> Values:
 
 
 def _outlines(chain: Values, time: Values, moved: Values, grid: Grid) -> FoldingOutlines:
-    end = min(float(grid.time[-1]), float(time[-1]))
-    k = int(np.argmax(np.where(grid.time <= end, moved, -np.inf)))
+    seen = grid.time <= min(float(grid.time[-1]), float(time[-1]))
+    at, moved = grid.time[seen], moved[seen]
+    k = int(np.argmax(moved))
     largest = float(moved[k])
     if largest < STILL:
         return FoldingOutlines(np.zeros(1), chain[None, :, 0], np.zeros(0), np.zeros((0, len(chain), 2)))
-    at = np.linspace(0.0, largest, STEPS_IN + 1)
-    reached = np.maximum.accumulate(moved[: k + 1])
-    when = [grid.time[min(int(np.searchsorted(reached, level)), k)] for level in at[1:]]
-    pushed = np.array([chain[:, 0], *(_at(chain, time, float(t)) for t in when)])
-    fallen = np.minimum.accumulate(moved[k:][grid.time[k:] <= end])
-    shares, returning = [], []
-    for share in np.linspace(1.0, 0.0, STEPS_BACK + 1)[1:]:
-        place = int(np.searchsorted(-fallen, -share * largest))
-        if place < fallen.size:
-            shares.append(float(share))
-            returning.append(_at(chain, time, float(grid.time[k + place])))
-    order = slice(None, None, -1)
-    return FoldingOutlines(
-        at, pushed, np.array(shares[order]), np.array(returning[order]).reshape(len(shares), len(chain), 2)
-    )
+    way = _first_beyond(np.maximum(moved[: k + 1], 0.0), FINEST * largest)
+    pushed_at = np.maximum(moved[way], 0.0)
+    pushed_at[0] = 0.0
+    pushed = np.array([chain[:, 0], *(_at(chain, time, float(at[i])) for i in way[1:])])
+    back = k + _first_beyond(np.minimum(largest - moved[k:], largest), FINEST * largest)
+    shares = np.maximum(moved[back] / largest, 0.0)
+    returning = np.array([_at(chain, time, float(at[i])) for i in back])
+    keep = _telling(pushed_at, pushed, along=pushed_at)
+    keep_back = _telling(-shares, returning, along=shares * largest)[:0:-1]
+    return FoldingOutlines(pushed_at[keep], pushed[keep], shares[keep_back], returning[keep_back])
+
+
+def _first_beyond(values: Values, step: float) -> NDArray[np.int64]:
+    """Return the first instant, each that rises by a step beyond all before, and the largest."""
+    chosen, reached = [0], float(values[0])
+    last = int(np.argmax(values))
+    for k in range(1, last + 1):
+        if values[k] >= reached + step:
+            chosen.append(k)
+            reached = float(values[k])
+    if chosen[-1] != last:
+        if len(chosen) > 1 and values[last] < values[chosen[-1]] + 0.5 * step:
+            chosen.pop()
+        if values[last] > values[chosen[-1]]:
+            chosen.append(last)
+    return np.array(chosen)
+
+
+def _telling(at: Values, points: Values, along: Values) -> NDArray[np.int64]:
+    """Return the outlines that straight lines between the others do not replace.
+
+    Parameters
+    ----------
+    at : ndarray, shape (n,)
+        Rising.
+    points : ndarray, shape (n, points, 2)
+        x, z.
+    along : ndarray, shape (n,)
+        How far the group has moved.
+    """
+    shape = points - np.stack([along, np.zeros_like(along)], axis=1)[:, None]
+    keep = {0, len(at) - 1}
+    spans = [(0, len(at) - 1)]
+    while spans:
+        a, b = spans.pop()
+        if b - a < 2:
+            continue
+        share = ((at[a + 1 : b] - at[a]) / (at[b] - at[a]))[:, None, None]
+        off = np.linalg.norm(shape[a + 1 : b] - shape[a] - share * (shape[b] - shape[a]), axis=2).max(axis=1)
+        k = a + 1 + int(np.argmax(off))
+        if off[k - a - 1] > TOLERANCE:
+            keep.add(k)
+            spans += [(a, k), (k, b)]
+    return np.array(sorted(keep))
 
 
 def _at(chain: Values, time: Values, when: float) -> Values:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from certkit.identification.displacement import shortening
 from certkit.identification.grouping import GROUND
 from certkit.identification.sheet_law import SheetLaw, sheet_law
@@ -21,6 +23,13 @@ POOR_FIT = 15.0
 
 NO_SPRING = 10.0
 """Per cent of the peak force above which a two-way link between two groups is taken for a sheet."""
+
+MOST_FALL = 0.5
+"""Share of its peak by which a loading curve may fall, all falls together, and still be a spring's.
+
+A foam or a beam that buckles falls by less. What falls by more, a fascia that slides along a stiffener and
+off it, is a contact whose force follows how far the sheet is pushed in.
+"""
 
 SHEETS = {"fascia", "hood"}
 """Kinds of groups that are pieces of one sheet."""
@@ -65,16 +74,31 @@ def path_laws(
 
 
 def _sheet(flow: Flow, fit: SpringFit | None, steps: FirstSteps) -> SheetLaw | None:
-    """Find a sheet's law: between two faces of one kind, or where a two-way link is no spring."""
+    """Find a sheet's law: between two faces of one kind, or where a link of a face is no spring."""
     link = flow.link
-    if not link.tension or link.target == GROUND:
+    if link.target == GROUND:
         return None
     kinds = {steps.case.groups[end].kind for end in (link.source, link.target)}
-    one_sheet = len(kinds) == 1 and kinds <= SHEETS
-    if not one_sheet and fit is not None and fit.misfit <= NO_SPRING:
+    one_sheet = link.tension and len(kinds) == 1 and kinds <= SHEETS
+    if not one_sheet and (fit is None or _is_spring(fit, tension=link.tension)):
+        return None
+    if not one_sheet and not link.tension and not kinds & SHEETS:
         return None
     first, second = steps.displacements[link.source], steps.displacements[link.target]
-    return sheet_law(first, second, flow.force, (steps.masses[link.source], steps.masses[link.target]))
+    masses = (steps.masses[link.source], steps.masses[link.target])
+    law = sheet_law(first, second, flow.force, masses, tension=link.tension)
+    better = one_sheet or link.tension or fit is None or law is None or law.misfit < fit.misfit
+    return law if better else None
+
+
+def _is_spring(fit: SpringFit, *, tension: bool) -> bool:
+    """Tell whether a path's force is a function of its shortening that a spring could have."""
+    if fit.misfit > (NO_SPRING if tension else POOR_FIT):
+        return False
+    if tension:
+        return True
+    force = np.array(fit.law.force)
+    return float(np.sum(np.maximum(-np.diff(force), 0.0))) <= MOST_FALL * float(np.max(np.abs(force)))
 
 
 def _fit(flow: Flow, steps: FirstSteps) -> SpringFit | None:

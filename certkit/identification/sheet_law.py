@@ -9,6 +9,9 @@ the sheet resists a deviation of its shortening with
 
 so that a deviation of some per cent of the travel changes the force by as many tenths. Neither number is
 fitted: any between half and twice of them gives the same movement of a front within a few per cent.
+
+A contact that slides along such a sheet, as the lower stiffener's along the fascia, follows the same
+progress; it only pushes, and is stiffer off its path.
 """
 
 from __future__ import annotations
@@ -24,6 +27,13 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 DEVIATION = 0.3
+SLIDING_DEVIATION = 0.1
+"""As `DEVIATION`, of a contact that slides along a sheet.
+
+A front driven by its run's own contact forces moves most nearly as in the run with this: its faces with an
+error of 11 % in the mean, with three times as much 15 %, with half as much 12 %.
+"""
+
 DAMPING_RATIO = 0.3
 BINS_IN, BINS_BACK = 40, 20
 SLACK = 1e-4
@@ -35,7 +45,8 @@ class SheetLaw:
     """A sheet's path: shortening (m) and force (N) over progress (m); what the way back adds, over its share.
 
     `stiffness` (N/m) and `damping` (N·s/m) act against deviations; `misfit` is the rms difference between the
-    path's force along the run and the run's force, in per cent of the largest.
+    path's force along the run and the run's force, in per cent of the largest. Without `tension` it is a
+    contact that slides along the sheet and only pushes.
     """
 
     progress: Values
@@ -47,16 +58,20 @@ class SheetLaw:
     stiffness: float
     damping: float
     misfit: float = 0.0
+    tension: bool = True
 
     def force_along(self, progress: Values) -> Values:
         """Return the path's force along a history of progress, shape (n,)."""
         top = np.maximum.accumulate(np.maximum(progress, 0.0))
         share = np.divide(progress, top, out=np.ones_like(top), where=top > 0)
-        back = np.interp(share, self.shares, self.back_force)
-        return np.asarray(np.interp(top, self.progress, self.force) + back)
+        back = np.interp(share, self.shares, self.back_force) * np.minimum(top / self.progress[-1], 1.0)
+        force = np.interp(top, self.progress, self.force) + back
+        return np.asarray(force if self.tension else np.maximum(force, 0.0))
 
 
-def sheet_law(first: Values, second: Values, force: Values, masses: tuple[float, float]) -> SheetLaw | None:
+def sheet_law(
+    first: Values, second: Values, force: Values, masses: tuple[float, float], *, tension: bool = True
+) -> SheetLaw | None:
     """Find the path of a sheet.
 
     Parameters
@@ -67,6 +82,8 @@ def sheet_law(first: Values, second: Values, force: Values, masses: tuple[float,
         From the first to the second, N.
     masses : tuple of float
         Of the groups, kg.
+    tension : bool
+        Whether it also pulls.
 
     Returns
     -------
@@ -75,6 +92,7 @@ def sheet_law(first: Values, second: Values, force: Values, masses: tuple[float,
     """
     progress, shortening = 0.5 * (first + second), first - second
     k = int(np.argmax(progress))
+    force = force if tension else np.maximum(force, 0.0)
     top, peak = float(progress[k]), float(np.max(np.abs(force)))
     travel = float(max(np.max(np.abs(first)), np.max(np.abs(second))))
     if top <= SLACK or peak <= 0:
@@ -89,11 +107,11 @@ def sheet_law(first: Values, second: Values, force: Values, masses: tuple[float,
     back = _means(share, shortening[k:], force[k:], on_back, np.linspace(0.0, 1.0, BINS_BACK + 1))
     back = [(s, x - float(shortening[k]), f - float(force[k])) for s, x, f in back]
     inwards, back = _rising(inwards), _rising([*back, (1.0, 0.0, 0.0)])
-    stiffness = peak / (DEVIATION * travel)
+    stiffness = peak / ((DEVIATION if tension else SLIDING_DEVIATION) * travel)
     reduced = masses[0] * masses[1] / (masses[0] + masses[1])
     (at, x, f), (shares, back_x, back_f) = np.array(inwards).T, np.array(back).T
     damping = 2 * DAMPING_RATIO * float(np.sqrt(stiffness * reduced))
-    law = SheetLaw(at, x, f, shares, back_x, back_f, stiffness, damping)
+    law = SheetLaw(at, x, f, shares, back_x, back_f, stiffness, damping, tension=tension)
     error = float(np.sqrt(np.mean((law.force_along(progress) - force) ** 2)))
     return replace(law, misfit=100 * error / peak)
 

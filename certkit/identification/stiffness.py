@@ -27,6 +27,10 @@ ROUGH_KNOTS = 20
 ROUGH = 5.0
 """Where a law with many knots misses its history by more than this (% rms), they would follow noise."""
 
+NO_CURVE = 15.0
+FEWEST_KNOTS = 6
+"""Where even the rough law misses by more than `NO_CURVE`, force is hardly a function of shortening."""
+
 BEYOND = 0.5
 """A loading curve is continued by this share of its range; a run goes on with the same slope."""
 
@@ -94,9 +98,10 @@ def fit_law(x: Values, v: Values, force: Values, *, tension: bool) -> SpringFit 
     if not problem.carries:
         return None
     fit = _fitted(problem)
-    if fit.misfit > ROUGH:
-        problem.knots = ROUGH_KNOTS
-        fit = _fitted(problem)
+    for most, knots in ((ROUGH, ROUGH_KNOTS), (NO_CURVE, FEWEST_KNOTS)):
+        if fit.misfit > most:
+            problem.knots = knots
+            fit = _fitted(problem)
     return replace(fit, law=_continued(_simplified(fit.law, SIMPLIFY + 5e-4 * fit.misfit)))
 
 
@@ -216,7 +221,8 @@ def _curve(x: Values, force: Values, start: float, top: float, count: int) -> tu
     place = np.clip((x[virgin] - start) / width, 0, count)
     left = np.minimum(place.astype(int), count - 1)
     values = _knot_values(left, place - left, force[virgin], count)
-    curve = np.maximum(values, 0.0)
+    # Where few instants fall on many knots, the fit may shoot beyond what was seen.
+    curve = np.clip(values, 0.0, max(float(np.max(force[virgin], initial=0.0)), 0.0))
     curve = np.concatenate([[0.0], curve])
     if start > 0:
         return np.concatenate([[0.0], knots]), np.concatenate([[0.0], curve])

@@ -135,6 +135,8 @@ def _sheet(name: str, source: str, target: str, sheet: SheetResult) -> list[str]
     ]
     lines.append(f"    stiffness: {_number(1e-3 * sheet.stiffness)} N/mm")
     lines.append(f"    damping: {_number(sheet.damping)} N·s/m")
+    if not sheet.tension:
+        lines.append("    tension: false")
     return lines
 
 

@@ -59,6 +59,24 @@ def test_ground_springs_come_back_with_the_stiffness_of_the_model(result: Extrac
         assert law.damping == pytest.approx(damping, rel=0.25)
 
 
+def test_a_fascia_that_slides_along_a_stiffener_has_no_spring_but_a_path(result: ExtractionResult) -> None:
+    paths = {p.name: p for p in result.paths}
+    for name in ("F1 – E1", "F2 – E1", "F5 – E2"):
+        sheet = paths[name].sheet
+        assert sheet is not None
+        assert not sheet.tension
+        assert sheet.misfit_percent < 5
+    assert paths["F4 – E2"].law is not None  # the foam is crushed
+
+
+def test_no_law_pushes_harder_than_what_it_was_read_from(result: ExtractionResult) -> None:
+    for path in result.paths:
+        if path.law is not None:
+            seen = np.array(path.law.shortening) <= max(path.shortening)
+            largest = max(map(abs, path.force))
+            assert max(np.array(path.law.force)[seen]) <= 1.01 * largest
+
+
 @pytest.mark.parametrize("check", ["front alone", "coupled"])
 def test_the_front_moves_as_in_the_run(checks: dict[str, SelfCheck], check: str) -> None:
     mean, worst = checks[check].mean_percent, checks[check].worst_percent
@@ -73,7 +91,13 @@ def test_contact_force_impulse_and_rebound_are_those_of_the_run(checks: dict[str
     coupled = checks["coupled"]
     assert coupled.force_percent == pytest.approx(0, abs=10)
     assert coupled.impulse_percent == pytest.approx(0, abs=4)
-    assert coupled.rebound_percent == pytest.approx(0, abs=6)
+    assert coupled.rebound_percent == pytest.approx(0, abs=7)
+
+
+def test_the_stiffener_loads_the_two_faces_before_it_as_in_the_run(checks: dict[str, SelfCheck]) -> None:
+    groups = {g.name: g for g in checks["coupled"].groups}
+    for name in ("F1", "F2"):
+        assert groups[name].impulse == pytest.approx(groups[name].run_impulse, rel=0.15)
 
 
 def test_each_group_takes_its_own_impulse(checks: dict[str, SelfCheck]) -> None:
@@ -88,7 +112,7 @@ def test_the_front_bends_its_leg_as_the_forces_of_the_run_do_though_nothing_was_
     alone, coupled = (
         next(c for c in checks[check].channels if c.name == channel) for check in ("leg alone", "coupled")
     )
-    assert coupled.peak == pytest.approx(alone.peak, rel=0.15)
+    assert coupled.peak == pytest.approx(alone.peak, rel=0.2)
     assert coupled.peak == pytest.approx(coupled.run_peak, rel=0.3)
 
 

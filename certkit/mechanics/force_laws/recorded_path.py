@@ -1,8 +1,10 @@
 """Quantities tabulated along a recorded path: over a progress on the way in, over its share on the way back.
 
 On the way in a quantity is y(ξ), over the largest progress ξₘ so far (m). On the way back, at the share
-s = ξ/ξₘ, what the recorded run added is added: y(ξₘ) + Δy(s), with Δy(1) = 0. Beyond the tables' ends the
-last value holds. Several quantities of one path are curves of equally many points that follow each other.
+s = ξ/ξₘ, what the recorded run added is added, in the measure of how far in it begins:
+y(ξₘ) + Δy(s)·min(ξₘ/ξ_end, 1), with Δy(1) = 0 and the path's end ξ_end. So a trembling before the way in has
+begun is no way back. Beyond the tables' ends the last value holds. Several quantities of one path are curves
+of equally many points that follow each other.
 """
 
 from __future__ import annotations
@@ -52,5 +54,7 @@ def on_path(
     value = held(curves, start + quantity * count, count, largest)
     count = path.back_points
     if count > 0 and largest > 0.0:
-        value += held(curves, path.back_start + quantity * count, count, progress / largest)
+        end = curves[start + path.in_points - 1].x
+        weight = min(largest / end, 1.0) if end > 0.0 else 1.0
+        value += weight * held(curves, path.back_start + quantity * count, count, progress / largest)
     return value

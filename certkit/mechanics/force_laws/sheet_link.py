@@ -8,6 +8,13 @@ shortening x₀ (`recorded_path`). Off that path the sheet resists:
 
 with stiffness K (N/m) and damping c (N·s/m). The work of F₀ counts as dissipated, as folding is.
 
+A contact that slides along a folding sheet only pushes, and off its path it is as stiff as it is loaded:
+
+    F = max(F₀(ξ)·(1 + (K·(x - x₀) + c·d(x - x₀)/dt)/F_p) + K·max(ξ - ξ_end, 0), 0)
+
+with the largest force F_p of its path, beyond the end ξ_end of which it goes on with K. All its work counts
+as dissipated.
+
 Source: momentum balances give the section force, step 3 of the seed paper (section 3); stiffness and damping
 off the path are those of the vehicle document.
 """
@@ -38,6 +45,8 @@ class SheetLink(ForceLaw):
         The link's path, see `recorded_path`: x₀ and F₀ over ξ.
     stiffness, damping : float
         K and c.
+    contact_force : float
+        F_p (N) of a contact that only pushes; 0 for a link that pushes and pulls.
     largest : State
         Largest progress ξ so far, m.
     shortening, force : State
@@ -56,6 +65,7 @@ class SheetLink(ForceLaw):
     back_points: int
     stiffness: float
     damping: float
+    contact_force: float = 0.0
     largest: State = 0.0
     shortening: State = 0.0
     force: State = 0.0
@@ -72,11 +82,18 @@ class SheetLink(ForceLaw):
             progress, shortening = 0.5 * (first + second), first - second
             link.largest = max(link.largest, progress)
             opening = shortening - on_path(now.curves, link, 0, progress, link.largest)
-            force = on_path(now.curves, link, 1, progress, link.largest) + link.stiffness * opening
-            force += link.damping * (opening - link.opening) / now.step
-            stored = 0.5 * link.stiffness * opening * opening
-            before = 0.5 * link.stiffness * link.opening * link.opening
-            totals.stored += stored
+            force = on_path(now.curves, link, 1, progress, link.largest)
+            off_path = link.stiffness * opening + link.damping * (opening - link.opening) / now.step
+            stored = before = 0.0
+            if link.contact_force > 0.0:
+                force *= 1.0 + off_path / link.contact_force
+                end = now.curves[link.in_start + link.in_points - 1].x
+                force = max(force + link.stiffness * max(progress - end, 0.0), 0.0)
+            else:
+                force += off_path
+                stored = 0.5 * link.stiffness * opening * opening
+                before = 0.5 * link.stiffness * link.opening * link.opening
+                totals.stored += stored
             totals.dissipated += 0.5 * (force + link.force) * (shortening - link.shortening) - stored + before
             load[link.first].x -= force
             load[link.second].x += force

@@ -67,6 +67,46 @@ def test_a_sheet_keeps_the_energy_of_what_it_is_pushed_with() -> None:
     assert np.abs(total).max() < 0.01 * run.kinetic.max()
 
 
+def slid(back: float, contact_force: float, force: float = 500.0) -> Trajectory:
+    """Push a mass for 2 ms against a path that adds a force on its way back; a contact's where it says so."""
+    assembly = Assembly()
+    body = assembly.add_body("mass", 2.0, 0.0, (0.0, 0.0, 0.0), guided=True)
+    time = np.array([0.0, 1e-9, 0.002, 0.002 + 1e-9, 1.0])
+    values = np.column_stack([[0.0, force, force, 0.0, 0.0], np.zeros(5)])
+    start, points = add_tables(assembly, time, values)
+    assembly.add(RecordedContact(group=body, start=start, points=points, on_leg=0, thickness=0.0))
+    way = (np.array([0.0, 0.01]), np.array([[0.0, 0.0], [0.02, 4000.0]]))
+    returning = (np.array([0.0, 1.0]), np.array([[0.0, back], [0.0, 0.0]]))
+    assembly.add(
+        SheetLink(
+            first=body,
+            second=GROUND,
+            first_rest=0.0,
+            second_rest=0.0,
+            stiffness=4e5,
+            damping=20.0,
+            contact_force=contact_force,
+            **add_path(assembly, way, returning),
+        )
+    )
+    return run_world(assembly.finish(), Plan(STEP, 0.02, 0.0), tracked=[body])
+
+
+def test_a_trembling_before_the_way_in_has_begun_is_no_way_back() -> None:
+    quiet, springing = (slid(back, 0.0, force=1.0).tracks[:, 0, 0] for back in (0.0, -3000.0))
+    assert np.abs(springing - quiet).max() < 0.6 * quiet.max()
+
+
+def test_a_contact_that_slides_pushes_and_never_pulls() -> None:
+    run = slid(0.0, 4000.0)
+    speed = np.gradient(run.tracks[:, 0, 0], STEP)
+    acceleration = np.gradient(speed, STEP)[250:]
+    assert acceleration.min() < -20  # it was met
+    assert acceleration.max() < 1e-6
+    total = run.kinetic + run.stored.sum(axis=1) + run.dissipated.sum(axis=1)
+    assert np.ptp(total[250:]) < 0.01 * run.kinetic.max()
+
+
 def test_a_sheet_law_repeats_a_force_that_is_no_function_of_the_shortening() -> None:
     time = np.linspace(0.0, 0.04, 801)
     first = 0.08 * np.sin(np.pi * time / 0.04)

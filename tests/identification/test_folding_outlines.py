@@ -1,0 +1,45 @@
+"""Outlines of a folding face: between them straight lines give the face as it moved."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from certkit.exchange.fe.node_motion import NodeMotion
+from certkit.identification.folding_outlines import TOLERANCE, FoldingOutlines, folding_outlines
+from certkit.identification.grouping import Graph
+from certkit.identification.sampling import Grid
+
+TIME = np.linspace(0.0, 0.04, 401)
+MOVED = 0.08 * np.sin(np.pi * TIME / 0.04)
+
+
+def outlines_of(bulge: np.ndarray, moved: np.ndarray = MOVED) -> FoldingOutlines:
+    """Return the outlines of a face of three nodes, whose middle one stands out by `bulge` (m)."""
+    places = {
+        f"node {k}": np.column_stack([moved - (bulge if k == 1 else 0.0), np.full_like(TIME, 0.1 * k)])
+        for k in range(3)
+    }
+    graph = Graph({"F1": ("part",)}, ())
+    motion = NodeMotion(TIME, {"part": places})
+    return folding_outlines(graph, motion, {"F1": moved}, Grid(TIME, TIME, 1e-3))["F1"]
+
+
+def test_a_fold_that_opens_at_once_is_kept_where_a_stiff_face_needs_two_outlines() -> None:
+    fold = 0.02 / (1.0 + np.exp(-(TIME - 0.012) / 3e-4))
+    found = outlines_of(fold)
+    way = np.flatnonzero(TIME <= 0.02)
+    bulge = np.interp(MOVED[way], found.at, found.at - found.pushed[:, 1, 0])
+    # A step of the outlines' places, 2 % of the travel, is crossed while the fold opens.
+    assert np.abs(bulge - fold[way]).max() < 0.004
+    assert np.sqrt(np.mean((bulge - fold[way]) ** 2)) < 2 * TOLERANCE
+    assert 4 < len(found.at) < 40
+    assert len(outlines_of(0.0 * TIME).at) == 2
+
+
+def test_outlines_stand_in_rising_order_though_the_group_comes_back_beyond_its_place_at_rest() -> None:
+    moved = np.where(TIME < 0.03, MOVED, -0.5 * np.abs(MOVED))
+    found = outlines_of(0.01 * np.sin(2e3 * TIME), moved)
+    assert np.all(np.diff(found.at) > 0)
+    assert np.all(np.diff(found.shares) > 0)
+    assert found.shares.min(initial=1.0) >= 0
+    assert found.shares.max(initial=0.0) < 1
