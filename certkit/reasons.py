@@ -99,9 +99,12 @@ def each_once(reasons: Iterable[Reason]) -> list[Reason]:
 
 
 def _kept(value: Value | Reason) -> Value:
-    """Round numbers to the digits that a document keeps, and put a single reason into a list."""
+    """Round numbers to the digits that a document keeps; take the words off reasons; list a single one."""
     if isinstance(value, Reason):
-        return [value]
+        return [value.worded("")]
+    if isinstance(value, list):
+        within = [each.worded("") for each in value if isinstance(each, Reason)]
+        return within or value
     if isinstance(value, float):
         shown = float(f"{value:.{DIGITS}g}")
         return shown if abs(shown) < float("inf") else str(value)

@@ -23,6 +23,8 @@ from certkit.documents.unverified import MARK
 from certkit.grading.car_verdict import car_verdict
 from certkit.grading.judge_car import judge_car
 from certkit.grading.prediction_agreement import agreement
+from certkit.reasons import Reason
+from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection
@@ -114,7 +116,7 @@ def assess(
     verdict, remarks = car_verdict(schemes, rows, tolerance)
     changed = [f"{p.name} ({s.label})" for p in points for s in p.sources if s.certificate == MARK]
     if changed:
-        remarks.append(f"{MARK}: changed since certkit wrote it: {', '.join(changed)}")
+        remarks.append(Reason.of("point-results-changed", mark=MARK, points=changed))
     document = CampaignReport(
         campaign=sheet.campaign,
         title=sheet.title,
@@ -124,7 +126,7 @@ def assess(
         points=points,
         agreement=rows,
         tolerance_percent=tolerance,
-        remarks=remarks,
+        coded_remarks=remarks,
         notes=sheet.notes,
         provenance=Provenance(
             certkit=__version__,
@@ -132,7 +134,7 @@ def assess(
             packages={name: version(name) for name in PACKAGES},
         ),
     )
-    return AssessedCampaign(document.with_id(), results)
+    return AssessedCampaign(worded(document).with_id(), results)
 
 
 def _point(

@@ -15,12 +15,13 @@ if TYPE_CHECKING:
     from certkit.documents.result import Result
 
 
-def write_campaign(
+def write_campaign(  # noqa: PLR0913  # as many as the command has options
     document: CampaignReport,
     results: Mapping[str, Result],
     out: Path,
     formats: str | Collection[str] | None,
     *,
+    language: str = "en",
     force: bool = False,
     numbered: bool = False,
     tell: Callable[[str], None] = lambda _: None,
@@ -43,7 +44,16 @@ def write_campaign(
             text = result.to_json()
             write_whole(folder / "result.json", text)
             written.append(folder / "result.json")
-            written += render_document(result.from_json(text), folder, ["html"])
+            written += render_document(result.from_json(text), folder, ["html"], spoken=language)
         return written
 
-    return render(document, out, formats, force=force, numbered=numbered, tell=tell, beside=beside)
+    return render(
+        document,
+        out,
+        formats,
+        language=language,
+        force=force,
+        numbered=numbered,
+        tell=tell,
+        beside=beside,
+    )

@@ -10,6 +10,7 @@ from certkit.definitions.loading.validation import read_document
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.errors import UsageError
 from certkit.logbooks import Logbook, add, overview, rebuild, shipped_rules
+from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -62,7 +63,7 @@ def logbook(
     asked = day_of(day) if isinstance(day, str) else day
     exact = own is not None and own.serial_numbers == "exact"
     return [
-        overview(book, serial, rules=own, day=asked, curves=curves)
+        worded(overview(book, serial, rules=own, day=asked, curves=curves))
         for serial in serials or book.serials(exact=exact)
     ]
 

@@ -16,6 +16,7 @@ from certkit.documents.result import InputFile, Result
 from certkit.documents.unverified import MARK, is_marked, trusted
 from certkit.documents.verdicts import worst
 from certkit.errors import DataError, DefinitionError, InputError, RunError
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -88,10 +89,10 @@ def _lumped(source: PointSource, files: CampaignFiles) -> LoadedSource:
     try:
         result = run(_named(procedure, files), library=files.library, overrides=changes)
     except RunError as error:
-        told = f"the simulation did not finish: {error}"
+        told = Reason.of("simulation-unfinished", error=str(error))
         return LoadedSource(
             SourceReport(
-                kind="lumped", label=label, verdict="error", usable=False, reason=told, changes=changes
+                kind="lumped", label=label, verdict="error", usable=False, coded_reason=told, changes=changes
             )
         )
     return _of_result(source, result, label, files, changes=changes)
@@ -153,38 +154,47 @@ def _of_result(
         label=f"{label} ({MARK})" if is_marked(result) else label,
         verdict=result.verdict,
         values=[_value(criterion) for criterion in result.criteria],
-        usable=not reason,
-        reason=reason,
+        usable=reason is None,
+        coded_reason=reason,
         certificate=result.id,
         changes=changes or {},
     )
     return LoadedSource(report, result, read)
 
 
-def _unusable(result: Result) -> str:
+def _unusable(result: Result) -> Reason | None:
     """Say why a test or run does not count as a whole: its conditions, or the trust in it."""
     criteria = worst(criterion.verdict for criterion in result.criteria if criterion.graded)
     if result.verdict != "error" and (result.verdict != "not evaluated" or criteria == "not evaluated"):
-        return ""
+        return None
     found = [
-        f"{row.quantity}: {row.reason or row.verdict}"
+        Reason.of(
+            "condition-not-kept", quantity=row.quantity, why=row.coded_reason or row.reason or row.verdict
+        )
         for row in result.preconditions
         if row.verdict == "fail" or (row.required and row.verdict != "pass")
     ]
     checks = result.quality.checks if result.quality else []
-    found += [f"{check.title} beyond its limit" for check in checks if check.verdict != "pass"]
-    return "; ".join(found or result.remarks[:1]) or f"the result is `{result.verdict}`"
+    found += [
+        Reason.of("check-beyond-limit", check=check.coded_title or check.title)
+        for check in checks
+        if check.verdict != "pass"
+    ]
+    found = found or result.coded_remarks[:1] or [Reason.words(each) for each in result.remarks[:1]]
+    if not found:
+        return Reason.of("result-is", verdict=result.verdict)
+    return Reason.of("several-reasons", reasons=found)
 
 
-def _other_impactor(result: Result, files: CampaignFiles) -> str:
+def _other_impactor(result: Result, files: CampaignFiles) -> Reason | None:
     shelf = embedded_shelf(result)
     carried = [name for kind, name in shelf.texts if kind == "legform"]
     if not carried:
-        return ""
+        return None
     impactor = legform_channels(carried[0], (shelf,)).impactor
-    return (
-        "" if impactor == files.impactor else f"of the {impactor}; the schemes are for the {files.impactor}"
-    )
+    if impactor == files.impactor:
+        return None
+    return Reason.of("of-other-impactor", impactor=impactor, wanted=files.impactor)
 
 
 def _value(criterion: CriterionResult) -> PointValue:
@@ -195,8 +205,16 @@ def _value(criterion: CriterionResult) -> PointValue:
         value=None if lost else criterion.value,
         unit=criterion.unit,
         guard=criterion.uncertainty.guard_band if criterion.uncertainty else None,
-        reason=(criterion.reason or criterion.verdict) if lost else "",
+        coded_reason=_why_lost(criterion) if lost else None,
     )
+
+
+def _why_lost(criterion: CriterionResult) -> Reason:
+    if criterion.coded_reason is not None:
+        return criterion.coded_reason
+    if criterion.reason:
+        return Reason.words(criterion.reason)
+    return Reason.of("value-is", verdict=criterion.verdict)
 
 
 def _predicted(name: str, text: str) -> PointValue:

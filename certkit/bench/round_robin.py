@@ -17,6 +17,8 @@ from certkit.documents.round_robin_report import (
 from certkit.errors import DataError, UsageError
 from certkit.grading.interlaboratory import precision, robust_mean, statistics_by_laboratory
 from certkit.logbooks.logbook_entry import entry_of, serial_key
+from certkit.reasons import Reason
+from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -91,9 +93,9 @@ def round_robin(
             for name, entry, result in sorted(kept, key=lambda test: (test[0], test[1].order))
         ],
         criteria=criteria,
-        remarks=_remarks(kept, criteria),
+        coded_remarks=_remarks(kept, criteria),
     )
-    return document.as_written().with_id()
+    return worded(document).as_written().with_id()
 
 
 def _read(certificates: Sequence[str | Path], *, unverified: bool) -> list[tuple[str, LogbookEntry, Result]]:
@@ -196,24 +198,16 @@ def _criterion(
 
 def _remarks(
     tests: Sequence[tuple[str, LogbookEntry, Result]], criteria: Sequence[CriterionPrecision]
-) -> list[str]:
+) -> list[Reason]:
     remarks = []
     serials = sorted({entry.serial for _, entry, _ in tests})
     if len({serial_key(serial, exact=False) for serial in serials}) > 1:
-        remarks.append(
-            f"{len(serials)} legforms were tested ({', '.join(serials)}): what lies between laboratories "
-            "holds the differences between their legforms as well."
-        )
+        remarks.append(Reason.of("robin-of-several-legforms", count=len(serials), serials=serials))
     if any(each.repeatability is None for each in criteria):
-        remarks.append("Where no laboratory tested twice there is no repeatability, and s_R holds both.")
+        remarks.append(Reason.of("robin-without-repetition"))
     few = min(len(each.rows) for each in criteria)
     if few < 8:  # ISO 5725-1, 6.3.4
-        remarks.append(
-            f"{few} laboratories are few: ISO 5725-1 asks for eight to fifteen; the standard deviations "
-            "are uncertain accordingly."
-        )
+        remarks.append(Reason.of("robin-of-few", count=few))
     if any(result.channels is None for _, _, result in tests):
-        remarks.append(
-            "Certificates without channels could not be graded again; their values are as written."
-        )
+        remarks.append(Reason.of("robin-without-channels"))
     return remarks

@@ -189,7 +189,7 @@ def _legform_pdf(
     document = LegformCertificate.from_json(attached.files[name], name)
     checks += document_checks(name, attached.files[name], document)
     checks += legform_checks(document, lambda result: _content_checks(result, wanted))
-    checks.append(logbook_check(document, attached.files.get(LOGBOOK, b"")))
+    checks.append(logbook_check(document, attached.files.get(LOGBOOK, b""), attached.language))
     checks += _paper_checks(path, content, lambda: _printed_certificate(document, attached), wanted)
     return Verification(str(path), (document.id,), tuple(checks), (document.verdict,))
 

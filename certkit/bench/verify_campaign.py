@@ -16,6 +16,7 @@ from certkit.documents.result import Result
 from certkit.errors import CertkitError
 from certkit.grading.car_verdict import car_verdict
 from certkit.grading.judge_car import judge_car
+from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -53,7 +54,7 @@ def _judged_again(document: CampaignReport, shelf: TextShelf) -> Check:
     try:
         sheet = cast("Campaign", load("campaign", document.campaign, library=(shelf,)).document)
         terms, _ = campaign_schemes(sheet, (shelf,))
-        made = [judge_car(each, document.points, symmetric=sheet.car.symmetric) for each in terms]
+        made = [worded(judge_car(each, document.points, symmetric=sheet.car.symmetric)) for each in terms]
     except CertkitError as error:
         return fails(what, "not-judgeable", error=str(error))
     verdict, _ = car_verdict(made, document.agreement, document.tolerance_percent)

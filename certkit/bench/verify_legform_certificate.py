@@ -65,13 +65,13 @@ def legform_checks(
             yield fails(what, "field-differs", place=found.place, said=found.said, made=found.made)
 
 
-def logbook_check(document: LegformCertificate, content: bytes) -> Check:
+def logbook_check(document: LegformCertificate, content: bytes, spoken: str) -> Check:
     """Check that the attached page of the logbook is the one that the certificate's logbook renders to."""
     from certkit.reporting.logbook_page import logbook_page  # noqa: PLC0415  # jinja2 waits
 
     if any(of_another_certkit(result) for result in document.results):
         return unchecked(LOGBOOK, "made-by-another-version", version=document.certkit, now=__version__)
-    return judged(LOGBOOK, content == logbook_page([document.logbook]).encode(), "rendering-differs")
+    return judged(LOGBOOK, content == logbook_page([document.logbook], spoken).encode(), "rendering-differs")
 
 
 def page_check(folder: Path, path: Path) -> Iterator[Check]:

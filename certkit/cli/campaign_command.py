@@ -24,6 +24,7 @@ def campaign(
             "--format", help="Separated by commas: html, csv, junit, xlsx, pptx. The JSON is always written."
         ),
     ] = "html,csv,junit",
+    language: options.Language = "en",
     force: options.Force = False,
     library: options.Libraries = None,
     allow: options.Allow = None,
@@ -47,6 +48,7 @@ def campaign(
 
     wanted = reports_of(CampaignReport, formats)
     permitted = terminal.allowed(allow)
+    terminal.check_language(language)
     with terminal.progress(0, quiet=quiet or as_json) as step:
         found = assess(car, library=tuple(library or ()), unverified=unverified, step=step)
     document = found.document
@@ -55,6 +57,7 @@ def campaign(
         found.results,
         out or Path("runs") / document.campaign,
         wanted,
+        language=language,
         force=force,
         numbered=out is None,
         tell=terminal.tell,

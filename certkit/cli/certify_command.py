@@ -54,6 +54,7 @@ def certify(
     formats: Annotated[
         str, typer.Option("--format", help="Reports to write, separated by commas: html, pdf.")
     ] = "html,pdf",
+    language: options.Language = "en",
     sign: options.Sign = None,
     force: options.Force = False,
     allow: options.Allow = None,
@@ -72,10 +73,20 @@ def certify(
     from certkit.reporting.legform_certificate_report import certificate_text  # noqa: PLC0415  # likewise
 
     permitted = terminal.allowed(allow)
+    terminal.check_language(language)
     check_key(sign)
     made = put_together(serial, tests or (), folder=logbook, rules=rules, day=on, laboratory=lab)
     folder = out or Path("runs") / f"certificate-{re.sub(r'[^A-Za-z0-9.-]+', '-', serial).strip('-.') or 'x'}"
-    written = render(made, folder, formats, sign=sign, force=force, numbered=out is None, tell=terminal.tell)
+    written = render(
+        made,
+        folder,
+        formats,
+        language=language,
+        sign=sign,
+        force=force,
+        numbered=out is None,
+        tell=terminal.tell,
+    )
     typer.echo(made.to_json() if as_json else certificate_text(made), nl=not as_json)
     if not as_json:
         terminal.tell_files(written)

@@ -57,6 +57,7 @@ def compare(
             "--format", help="`html`, `pdf`, `xlsx`, `pptx`, or `none`. The JSON is always written."
         ),
     ] = "html",
+    language: options.Language = "en",
     force: options.Force = False,
     library: options.Libraries = None,
     unverified: options.Unverified = False,
@@ -71,10 +72,12 @@ def compare(
     from certkit.bench.compare import compare as put_beside  # noqa: PLC0415  # numpy waits until it is needed
     from certkit.bench.render_documents import render, reports_of  # noqa: PLC0415  # likewise
     from certkit.bench.result_folder import distinct_names  # noqa: PLC0415  # likewise
+    from certkit.cli.console import check_language  # noqa: PLC0415  # likewise
     from certkit.documents.comparison import ComparisonDocument  # noqa: PLC0415  # likewise
     from certkit.reporting.comparison_text import comparison_text, overview_text  # noqa: PLC0415  # likewise
 
     wanted = reports_of(ComparisonDocument, formats)
+    check_language(language)
     several = len(b) > 1
     names = distinct_names([(path.stem, path.absolute().parent.name) for path in b])
     documents = []
@@ -97,6 +100,7 @@ def compare(
             document,
             folder / name if several and out is not None else folder,
             wanted,
+            language=language,
             force=force,
             numbered=out is None,
             tell=lambda what: typer.echo(what, err=True),

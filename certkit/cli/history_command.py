@@ -60,19 +60,22 @@ def show(
     html: Annotated[
         Path | None, typer.Option("--html", metavar="FILE", help="Write the page with pictures.")
     ] = None,
+    language: options.Language = "en",
     force: options.Force = False,
     as_json: options.AsJson = False,
 ) -> None:
     """Show what is known of a legform: text, JSON or a page. Exit code 1 when a certification is due."""
     from certkit.bench.legform_logbook import logbook as overviews  # noqa: PLC0415  # waits
     from certkit.bench.result_folder import write_alone  # noqa: PLC0415  # likewise
+    from certkit.cli.console import check_language  # noqa: PLC0415  # likewise
     from certkit.documents.output_document import listed_json  # noqa: PLC0415  # likewise
     from certkit.reporting.logbook_page import logbook_page  # noqa: PLC0415  # likewise
     from certkit.reporting.logbook_text import overview_text  # noqa: PLC0415  # likewise
 
+    check_language(language)
     legs = overviews(logbook, serials=serial or (), rules=rules, day=on, curves=html is not None)
     if html:
-        write_alone(html, logbook_page(legs), force=force)
+        write_alone(html, logbook_page(legs, language), force=force)
         typer.echo(f"wrote {html}", err=True)
     if as_json:
         typer.echo(listed_json(legs), nl=False)

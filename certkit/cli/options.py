@@ -34,7 +34,7 @@ Libraries = Annotated[
 ]
 Language = Annotated[
     str,
-    typer.Option("--language", metavar="CODE", help=f"Language of page and PDF: {', '.join(languages())}."),
+    typer.Option("--language", metavar="CODE", help=f"Language of pages and PDFs: {', '.join(languages())}."),
 ]
 Force = Annotated[
     bool, typer.Option("--force", help="Overwrite another result that stands where this one goes.")

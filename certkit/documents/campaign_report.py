@@ -12,6 +12,7 @@ from certkit.documents.consistent_lists import plain_name
 from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.result import Provenance, Verdict
 from certkit.documents.rounding import Figure, Point
+from certkit.reasons import Reason
 
 Basis = Literal["own", "mirrored", "neighbour", "none"]
 """What a point's judgement stands on: its own values, the point on the other side, the worse neighbour."""
@@ -26,6 +27,7 @@ class PointValue(Part):
     unit: str
     guard: Annotated[Figure | None, Field(description="Guard band of the laboratory's decision rule.")] = None
     reason: Annotated[str, Field(description="Why it cannot be used, where it cannot.")] = ""
+    coded_reason: Reason | None = None
 
 
 class SourceReport(Part):
@@ -37,6 +39,7 @@ class SourceReport(Part):
     values: list[PointValue] = []
     usable: Annotated[bool, Field(description="False: the test or run does not count as a whole.")] = True
     reason: Annotated[str, Field(description="Why it does not.")] = ""
+    coded_reason: Reason | None = None
     decides: Annotated[bool, Field(description="Its values are the ones that are judged.")] = False
     replaced: Annotated[bool, Field(description="A later run has taken its place.")] = False
     certificate: Annotated[str, Field(description="Id of the result.")] = ""
@@ -90,6 +93,7 @@ class JudgedPoint(Part):
     maximum: Figure | None = None
     shares: Annotated[dict[str, Figure], Field(description="Share of each score, from 0 to 1.")] = {}
     reason: Annotated[str, Field(description="Why it is not evaluated, or earns nothing.")] = ""
+    coded_reason: Reason | None = None
 
 
 class JudgedScheme(Part):
@@ -110,6 +114,7 @@ class JudgedScheme(Part):
     sources: Annotated[list[str], Field(description="Texts that limits, scores and rules come from.")] = []
     confidences: list[Confidence] = []
     remarks: list[str] = []
+    coded_remarks: list[Reason] = []
 
 
 class AgreementRow(Part):
@@ -155,5 +160,6 @@ class CampaignReport(OutputDocument):
     agreement: list[AgreementRow] = []
     tolerance_percent: Annotated[Figure | None, Field(description="Asked of the agreement.")] = None
     remarks: list[str] = []
+    coded_remarks: list[Reason] = []
     notes: list[str] = []
     provenance: Provenance

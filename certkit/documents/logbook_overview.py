@@ -9,6 +9,7 @@ from pydantic import Field
 from certkit.definitions.provenance import Confidence
 from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.rounding import Figure, Points
+from certkit.reasons import Reason
 
 
 class TestLine(Part):
@@ -28,7 +29,8 @@ class Validity(Part):
     rule: Literal["interval", "count", "sequence", "overload"]
     title: str
     state: Literal["valid", "due", "revoked", "never certified"]
-    why: str
+    why: str = ""
+    coded_why: Annotated[Reason | None, Field(description="What its state follows from.")] = None
     due: Annotated[str | None, Field(description="Day from which on a certification is due.")] = None
     left: Annotated[int | None, Field(description="Tests left until one is due.")] = None
     used: Annotated[int | None, Field(description="Tests since the last certification.")] = None
@@ -61,7 +63,8 @@ class Trend(Part):
     slope_per_year: Figure | None
     drifts: Annotated[bool, Field(description="The slope is more than twice its standard error.")]
     leaves: Annotated[str | None, Field(description="Day on which the drift leaves the corridor.")]
-    remark: str
+    remark: str = ""
+    coded_remark: Annotated[Reason | None, Field(description="Whether it drifts, and where to.")] = None
 
 
 class CurveOfTest(Part):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, NamedTuple
 
 from pydantic import Field
 
 from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.result import Verdict
 from certkit.documents.rounding import Figure, Figures
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -42,6 +43,11 @@ class LaboratoryRow(Part):
     cochran: Annotated[Mark, Field(description="Of its scatter.")] = ""
     grubbs: Annotated[Mark, Field(description="Of its mean.")] = ""
 
+    @property
+    def marks(self) -> tuple[tuple[Literal["scatter", "mean"], Mark], ...]:
+        """What the tests of its scatter and of its mean found."""
+        return ("scatter", self.cochran), ("mean", self.grubbs)
+
 
 class CriterionPrecision(Part):
     """One criterion over all laboratories, in its unit."""
@@ -69,6 +75,14 @@ class CriterionPrecision(Part):
         return f"{self.procedure}/{self.criterion}"
 
 
+class FoundOutlier(NamedTuple):
+    """A laboratory that one of the outlier tests found in a criterion."""
+
+    laboratory: str
+    criterion: str
+    test: Literal["scatter", "mean"]
+
+
 class RoundRobinReport(OutputDocument):
     """How well laboratories agree in a test."""
 
@@ -83,17 +97,23 @@ class RoundRobinReport(OutputDocument):
     tests: list[RoundRobinTest]
     criteria: list[CriterionPrecision]
     remarks: list[str] = []
+    coded_remarks: list[Reason] = []
+
+    @property
+    def found_outliers(self) -> list[FoundOutlier]:
+        """Laboratory, criterion and test of each outlier."""
+        return [
+            FoundOutlier(row.laboratory, each.key, what)
+            for each in self.criteria
+            for row in each.rows
+            for what, mark in row.marks
+            if mark == "outlier"
+        ]
 
     @property
     def outliers(self) -> list[str]:
-        """Laboratory and criterion of each outlier, `North in pendulum/T1 (mean)`."""
-        return [
-            f"{row.laboratory} in {each.key} ({what})"
-            for each in self.criteria
-            for row in each.rows
-            for what, mark in (("scatter", row.cochran), ("mean", row.grubbs))
-            if mark == "outlier"
-        ]
+        """Each outlier in words: `North in pendulum/T1 (mean)`."""
+        return [f"{each.laboratory} in {each.criterion} ({each.test})" for each in self.found_outliers]
 
     def to_pandas(self) -> pd.DataFrame:
         """Return the precision of each criterion: one row each, values in the unit of the row."""

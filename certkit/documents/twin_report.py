@@ -8,6 +8,7 @@ from pydantic import Field
 
 from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.rounding import Figure, Figures
+from certkit.reasons import Reason
 
 Answer = Literal["nothing deviates", "one part", "several parts would do", "no part explains it"]
 
@@ -68,4 +69,5 @@ class TwinReport(OutputDocument):
     against: Annotated[str, Field(description="Certificate that the recordings are compared with, or none.")]
     tests: list[TwinTest]
     remarks: list[str] = []
+    coded_remarks: list[Reason] = []
     certkit: str = ""

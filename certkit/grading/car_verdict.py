@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.documents.verdicts import worst
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -15,24 +16,29 @@ if TYPE_CHECKING:
 
 def car_verdict(
     schemes: Sequence[JudgedScheme], rows: Sequence[AgreementRow], tolerance: float | None
-) -> tuple[Verdict, list[str]]:
+) -> tuple[Verdict, list[Reason]]:
     """Return the worst of what gates, and what a reader should know of it."""
     verdicts: list[Verdict] = [each.verdict for each in schemes if each.verdict is not None]
     remarks = []
     outside = [row for row in rows if row.within is False]
     if tolerance is not None and not rows:
         verdicts.append("not evaluated")
-        remarks.append("no point was both predicted and measured, so that their agreement cannot be judged")
+        remarks.append(Reason.of("agreement-without-points"))
     elif tolerance is not None:
         verdicts.append("fail" if outside else "pass")
     if outside:
         far = max(outside, key=lambda row: abs(row.error_percent))
         remarks.append(
-            f"{len(outside)} of {len(rows)} predictions are more than {tolerance:g} % off, the farthest "
-            f"{far.criterion} at {far.point} by {far.error_percent:+.1f} %"
+            Reason.of(
+                "predictions-off",
+                outside=len(outside),
+                count=len(rows),
+                tolerance=tolerance or 0.0,
+                criterion=far.criterion,
+                point=far.point,
+                error=far.error_percent,
+            )
         )
     if not verdicts:
-        remarks.append(
-            "no scheme here has limits, and no points are asked for: say `at least` to have a gate"
-        )
+        remarks.append(Reason.of("campaign-without-gate"))
     return worst(verdicts), remarks

@@ -8,6 +8,7 @@ from certkit.documents.campaign_report import JudgedScheme
 from certkit.documents.verdicts import worst
 from certkit.errors import UsageError
 from certkit.grading.judge_point import judge_point, nothing_known
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -49,7 +50,7 @@ def judge_car(terms: SchemeTerms, points: Sequence[PointReport], *, symmetric: b
         at_least=terms.at_least,
         sources=list(dict.fromkeys(source for source, _ in origins)),
         confidences=list(dict.fromkeys(confidence for _, confidence in origins)),
-        remarks=[*_remarks(judged), *terms.scheme.notes],
+        coded_remarks=[*_remarks(judged), *map(Reason.words, terms.scheme.notes)],
     )
 
 
@@ -66,7 +67,7 @@ def _filled(terms: SchemeTerms, points: Sequence[PointReport], *, symmetric: boo
                 known[point.name] = found.model_copy(update=change)
     if rule is not None and rule.neighbours is not None:
         known |= _from_neighbours(terms, points, dict(known), largest=rule.neighbours == "largest values")
-    reason = "no source, and the scheme has no rule by which another point stands for it"
+    reason = Reason.of("point-without-source")
     return [known.get(p.name) or nothing_known(terms, p.name, reason) for p in points]
 
 
@@ -121,11 +122,14 @@ def _largest(first: SourceReport, second: SourceReport) -> SourceReport:
     for value in first.values:
         other = others.get(value.id)
         if other is None or value.value is None or other.value is None or other.unit != value.unit:
-            values.append(value.model_copy(update={"value": None, "reason": "a neighbour has no value"}))
+            values.append(
+                value.model_copy(update={"value": None, "coded_reason": Reason.of("neighbour-without-value")})
+            )
         else:
             values.append(value if value.value >= other.value else other)
-    usable, reason = first.usable and second.usable, first.reason or second.reason
-    return first.model_copy(update={"values": values, "decides": True, "usable": usable, "reason": reason})
+    why = first if first.reason or first.coded_reason else second
+    update = {"values": values, "decides": True, "usable": first.usable and second.usable}
+    return first.model_copy(update=update | {"reason": why.reason, "coded_reason": why.coded_reason})
 
 
 _ORDER: dict[Verdict | None, int] = {"error": 4, "fail": 3, "conditional": 2, "pass": 1}
@@ -153,21 +157,26 @@ def _verdict(
     return "not evaluated" if missing and possible >= terms.at_least else "fail"
 
 
-def _remarks(judged: Sequence[JudgedPoint]) -> list[str]:
+_RESTS_ON = {
+    "finite elements": "point-rests-on-finite-elements",
+    "lumped": "point-rests-on-lumped",
+    "predicted": "point-rests-on-prediction",
+}
+_STANDS_FOR = {"mirrored": "other-side-stands", "neighbour": "neighbour-stands"}
+
+
+def _remarks(judged: Sequence[JudgedPoint]) -> list[Reason]:
     """Say what the judgement rests on beside measured values."""
     said = []
-    for kind in ("finite elements", "lumped", "predicted"):
+    for kind, code in _RESTS_ON.items():
         names = [row.point for row in judged if row.source == kind and row.basis == "own"]
         if names:
-            word = {"finite elements": "a finite-element run", "lumped": "a lumped simulation"}.get(
-                kind, "a prediction"
-            )
-            said.append(f"rests on {word} at {', '.join(names)}")
-    for basis, word in (("mirrored", "the other side"), ("neighbour", "the worse neighbour")):
-        names = [f"{row.point} (of {row.of})" for row in judged if row.basis == basis]
-        if names:
-            said.append(f"{word} stands for {', '.join(names)}")
+            said.append(Reason.of(code, points=names))
+    for basis, code in _STANDS_FOR.items():
+        pairs = [Reason.of("point-of", point=row.point, other=row.of) for row in judged if row.basis == basis]
+        if pairs:
+            said.append(Reason.of(code, points=pairs))
     names = [row.point for row in judged if row.basis == "none"]
     if names:
-        said.append(f"nothing is known of {', '.join(names)}")
+        said.append(Reason.of("points-not-known", points=names))
     return said

@@ -9,14 +9,12 @@ from certkit.documents.result import CriterionResult
 from certkit.documents.verdicts import worst
 from certkit.grading.scheme_terms import in_unit
 from certkit.grading.scores import grade_scores
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from certkit.documents.campaign_report import PointReport, PointValue, SourceReport
     from certkit.documents.result import Verdict
     from certkit.grading.scheme_terms import SchemeTerms
-    from certkit.reasons import Reason
-
-UNKNOWN = "no value"
 
 
 def judge_point(terms: SchemeTerms, point: PointReport) -> JudgedPoint | None:
@@ -35,16 +33,16 @@ def judge_point(terms: SchemeTerms, point: PointReport) -> JudgedPoint | None:
     return judge(terms, point, source, values)
 
 
-def nothing_known(terms: SchemeTerms, point: str, reason: str) -> JudgedPoint:
+def nothing_known(terms: SchemeTerms, point: str, reason: Reason) -> JudgedPoint:
     """Return the judgement of a point without any value: not evaluated, and worth nothing."""
-    judged = JudgedPoint(point=point, basis="none", reason=reason)
+    judged = JudgedPoint(point=point, basis="none", coded_reason=reason)
     if terms.kind == "points":
         return judged.model_copy(update={"points": 0.0, "maximum": _maximum(terms)})
     return judged.model_copy(update={"verdict": "not evaluated"})
 
 
 def _without_values(terms: SchemeTerms, point: PointReport, source: SourceReport) -> JudgedPoint:
-    judged = nothing_known(terms, point.name, source.reason)
+    judged = nothing_known(terms, point.name, source.coded_reason or Reason.words(source.reason))
     verdict: Verdict | None = None
     if terms.kind != "points":
         verdict = "error" if source.verdict == "error" else "not evaluated"
@@ -55,11 +53,11 @@ def _by_limits(
     terms: SchemeTerms, point: PointReport, source: SourceReport, values: dict[str, PointValue]
 ) -> JudgedPoint:
     rows = []
-    missing = []
+    missing: list[Reason] = []
     for name in terms.criteria:
         value = values.get(name)
         if value is None or value.value is None:
-            missing.append(f"{name}: {value.reason if value and value.reason else UNKNOWN}")
+            missing.append(Reason.of("value-lacking", criterion=name, reason=why_lacking(value)))
             continue
         limit = terms.limit(name, value.unit, relaxed=point.relaxed)
         verdict: Verdict = "pass"
@@ -85,7 +83,7 @@ def _by_limits(
         worst=decisive.id if decisive else "",
         percent=decisive.percent if decisive else None,
         verdict=worst(verdicts),
-        reason="; ".join(missing),
+        coded_reason=_together(missing),
     )
 
 
@@ -111,16 +109,26 @@ def _by_scores(
         points=sum(score.points for score in given),
         maximum=_maximum(terms),
         shares={score.id: score.points / score.maximum for score in given},
-        reason="; ".join(_unearned(reason) for reason in missing),
+        coded_reason=_together([_unearned(reason) for reason in missing]),
     )
 
 
-def _unearned(reason: Reason) -> str:
+def why_lacking(value: PointValue | None) -> Reason:
+    """Return why a criterion has no value."""
+    if value is None:
+        return Reason.of("no-value")
+    return value.coded_reason or (Reason.words(value.reason) if value.reason else Reason.of("no-value"))
+
+
+def _together(reasons: list[Reason]) -> Reason | None:
+    """Return several reasons as one; None where there are none."""
+    return Reason.of("several-reasons", reasons=reasons) if reasons else None
+
+
+def _unearned(reason: Reason) -> Reason:
     """Say which criteria are missing, so that a score earns nothing."""
     names = reason.parameters.get("criteria")
-    return (
-        f"{', '.join(map(str, names)) if isinstance(names, list) else UNKNOWN}: not measured, earns nothing"
-    )
+    return Reason.of("score-earns-nothing", criteria=names if isinstance(names, list) else [])
 
 
 def _score_rows(

@@ -82,7 +82,10 @@ def certificate_of(leg: LegOverview, results: Sequence[Result], issue: Issue) ->
         verdict=verdict,
         coded_remarks=[
             *_unpassed(tests),
-            *(Reason.of("certificate-overdue", rule=line.title, why=line.why) for line in overdue),
+            *(
+                Reason.of("certificate-overdue", rule=line.title, why=line.coded_why or line.why)
+                for line in overdue
+            ),
             Reason.of("certificate-scope", serial=leg.serial, rules=leg.rules),
         ],
         rules=leg.rules,

@@ -9,6 +9,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from certkit.documents.logbook_overview import Trend
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -62,7 +63,7 @@ def _trend(
     leaves, remark = (
         _leaving(days, values, slope, last, drifts=drifts)
         if enough
-        else (None, f"fewer than {at_least} tests")
+        else (None, Reason.of("trend-of-few-tests", least=at_least))
     )
     return Trend(
         procedure=procedure,
@@ -87,7 +88,7 @@ def _trend(
         slope_per_year=None if slope is None else slope * YEAR,
         drifts=drifts,
         leaves=None if leaves is None else leaves.isoformat(),
-        remark=remark,
+        coded_remark=remark,
     )
 
 
@@ -106,18 +107,18 @@ def _slope(days: Sequence[date], values: Sequence[float]) -> tuple[float | None,
 
 def _leaving(
     days: Sequence[date], values: Sequence[float], slope: float | None, last: Reading, *, drifts: bool
-) -> tuple[date | None, str]:
+) -> tuple[date | None, Reason]:
     """Return the day on which the fitted line leaves the corridor, and what is to be said of it."""
     if not drifts or slope is None:
-        return None, "no drift"
+        return None, Reason.of("trend-none")
     limit = last.upper if slope > 0 else last.lower
     if limit is None:
-        return None, "drifts; there is no corridor to leave"
+        return None, Reason.of("trend-without-corridor")
     middle = statistics.fmean(float(day.toordinal()) for day in days)
     on = middle + (limit - statistics.fmean(values)) / slope
     ahead = on - days[-1].toordinal()
     if ahead > HORIZON:
-        return None, "drifts, but stays in its corridor for more than ten years"
+        return None, Reason.of("trend-stays")
     if ahead <= 0:
-        return days[-1], "the fitted line has left its corridor"
-    return days[-1] + timedelta(days=math.floor(ahead)), "drifts"
+        return days[-1], Reason.of("trend-has-left")
+    return days[-1] + timedelta(days=math.floor(ahead)), Reason.of("trend-drifts")

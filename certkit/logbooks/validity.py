@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from certkit.definitions.logbook_rules import Count, Interval, TestSequence
 from certkit.documents.logbook_overview import Validity
 from certkit.errors import DataError
+from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -51,12 +52,29 @@ def _last_passes(names: Sequence[str], entries: Sequence[LogbookEntry]) -> dict[
     return found
 
 
-def _said(rule: Rule, **values: Any) -> Validity:  # noqa: ANN401  # the document's fields
+def _counted(rule: Count | TestSequence, used: int, last: LogbookEntry) -> Reason:
+    """Say how many of the tests that are allowed were used, and since when."""
+    return Reason.of(
+        "validity-counted",
+        used=used,
+        most=rule.at_most,
+        counted=list(rule.counts),
+        procedure=last.procedure,
+        day=last.day.isoformat(),
+    )
+
+
+def _said(rule: Rule, *, why: Reason, **values: Any) -> Validity:  # noqa: ANN401  # the document's fields
     """Make the line of a rule, with the rule's origin."""
     if rule.source is None or rule.confidence is None:
         raise DataError(f"rule `{rule.title}` has no source; give it one")
     return Validity(
-        rule=rule.rule, title=rule.title, source=rule.source, confidence=rule.confidence, **values
+        rule=rule.rule,
+        title=rule.title,
+        source=rule.source,
+        confidence=rule.confidence,
+        coded_why=why,
+        **values,
     )
 
 
@@ -64,11 +82,19 @@ def _not_certified(rule: Rule, passes: dict[str, int], entries: Sequence[Logbook
     """Say that a procedure was never passed, or that a later test took the pass back; None otherwise."""
     missing = [name for name in rule.certified_by if name not in passes]
     if missing:
-        return _said(rule, state="never certified", why=f"{' and '.join(missing)} never passed")
+        return _said(
+            rule, state="never certified", why=Reason.of("validity-never-passed", procedures=missing)
+        )
     for name, place in passes.items():
         for entry in entries[place + 1 :]:
             if entry.procedure == name and entry.verdict in REVOKING:
-                why = f"{name} passed on {entries[place].day}, but ended in `{entry.verdict}` on {entry.day}"
+                why = Reason.of(
+                    "validity-ended-otherwise",
+                    procedure=name,
+                    passed=entries[place].day.isoformat(),
+                    verdict=entry.verdict,
+                    day=entry.day.isoformat(),
+                )
                 return _said(rule, state="revoked", why=why, due=entry.day.isoformat())
     return None
 
@@ -82,7 +108,7 @@ def _interval(rule: Interval, entries: Sequence[LogbookEntry], day: date) -> Val
     last = entries[passes[oldest]].day
     due = last + timedelta(days=rule.seconds / _DAY)
     state = "valid" if day <= due else "due"
-    why = f"{oldest} last passed on {last}; good for {rule.every}"
+    why = Reason.of("validity-last-passed", procedure=oldest, day=last.isoformat(), every=str(rule.every))
     return _said(rule, state=state, why=why, due=due.isoformat())
 
 
@@ -95,8 +121,7 @@ def _count(rule: Count, entries: Sequence[LogbookEntry]) -> Validity:
     used = sum(entry.procedure in rule.counts for entry in entries[first + 1 :])
     left = max(0, rule.at_most - used)
     last = entries[first]
-    counted = f"{used} of {rule.at_most} {' and '.join(rule.counts)} tests"
-    why = f"{counted} since {last.procedure} passed on {last.day}"
+    why = _counted(rule, used, last)
     return _said(rule, state="valid" if left else "due", why=why, left=left, used=used)
 
 
@@ -112,22 +137,26 @@ class _Turn:
         Counted tests since the last of them, which is `last`.
     failed : LogbookEntry, optional
         The certification test that did not pass since then.
-    broken : str
-        Why the series has to start again; empty where it has not.
+    broken : Reason, optional
+        Why the series has to start again.
     """
 
     place: int = 0
     used: int = 0
     last: LogbookEntry | None = None
     failed: LogbookEntry | None = None
-    broken: str = ""
+    broken: Reason | None = None
 
     def count(self, rule: TestSequence, entry: LogbookEntry) -> None:
         """Count a test; one too many ends the series."""
         self.used += 1
         if self.place and self.used > rule.at_most:
-            self.broken = (
-                f"{self.used} {' and '.join(rule.counts)} tests without certification by {entry.day}"
+            self.broken = Reason.of(
+                "validity-series-broken",
+                used=self.used,
+                counted=list(rule.counts),
+                day=entry.day.isoformat(),
+                first=rule.certified_by[0],
             )
             self.place = 0
 
@@ -140,7 +169,7 @@ class _Turn:
         next_one = entry.procedure == turn[self.place % len(turn)]
         if next_one or entry.procedure == turn[0]:
             self.place = self.place + 1 if next_one else 1
-            self.used, self.last, self.failed, self.broken = 0, entry, None, ""
+            self.used, self.last, self.failed, self.broken = 0, entry, None, None
 
 
 def _sequence(rule: TestSequence, entries: Sequence[LogbookEntry]) -> Validity:
@@ -152,17 +181,23 @@ def _sequence(rule: TestSequence, entries: Sequence[LogbookEntry]) -> Validity:
             now.certify(rule, entry)
     first, last = rule.certified_by[0], now.last
     if last is None:
-        return _said(rule, state="never certified", why=f"{first} never passed")
+        return _said(
+            rule, state="never certified", why=Reason.of("validity-never-passed", procedures=[first])
+        )
     if now.failed is not None:
-        why = f"{now.failed.procedure} ended in `{now.failed.verdict}` on {now.failed.day}, after {last.day}"
+        why = Reason.of(
+            "validity-ended-after",
+            procedure=now.failed.procedure,
+            verdict=now.failed.verdict,
+            day=now.failed.day.isoformat(),
+            last=last.day.isoformat(),
+        )
         return _said(rule, state="revoked", why=why, due=now.failed.day.isoformat())
     if now.broken:
-        why = f"{now.broken}; the series starts again with {first}"
-        return _said(rule, state="due", why=why, used=now.used)
+        return _said(rule, state="due", why=now.broken, used=now.used)
     left = max(0, rule.at_most - now.used)
     following = rule.certified_by[now.place % len(rule.certified_by)]
-    counted = f"{now.used} of {rule.at_most} {' and '.join(rule.counts)} tests"
-    why = f"{counted} since {last.procedure} passed on {last.day}; {following} is next"
+    why = Reason.of("validity-counted-in-turn", counted=_counted(rule, now.used, last), following=following)
     return _said(rule, state="valid" if left else "due", why=why, left=left, used=now.used)
 
 
@@ -179,12 +214,20 @@ def _overload(rule: Overload, entries: Sequence[LogbookEntry]) -> Validity:
             if reading.value is None or bound is None or reading.value <= bound:
                 continue
             upper = bound if rule.beyond is None or reading.upper is None else reading.upper
-            why = (
-                f"{reading.criterion} read {reading.value:.4g} {reading.unit} on {entry.day} "
-                f"({entry.procedure}), {reading.value / upper - 1:.0%} over {upper:.4g} {reading.unit}"
+            why = Reason.of(
+                "validity-overload",
+                criterion=reading.criterion,
+                value=reading.value,
+                unit=reading.unit,
+                day=entry.day.isoformat(),
+                procedure=entry.procedure,
+                over=reading.value / upper - 1,
+                limit=upper,
             )
             return _said(rule, state="due", why=why, due=entry.day.isoformat())
-    which = (
-        f"no reading more than {rule.beyond} over its limit" if rule.beyond else "no reading over its class"
+    kept = (
+        Reason.of("validity-no-overload", beyond=str(rule.beyond))
+        if rule.beyond
+        else Reason.of("validity-no-reading-over-class")
     )
-    return _said(rule, state="valid", why=f"{which} since then")
+    return _said(rule, state="valid", why=kept)

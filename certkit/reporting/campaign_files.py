@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.reporting.language import ENGLISH
 from certkit.reporting.named_files import Files, write_named
 
 if TYPE_CHECKING:
@@ -21,6 +22,8 @@ CAMPAIGN_FILES: Files = {
 }
 
 
-def render_campaign(document: CampaignReport, out: Path, formats: Collection[str]) -> list[Path]:
+def render_campaign(
+    document: CampaignReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
+) -> list[Path]:
     """Write the wanted reports, and return what was written."""
-    return write_named(document, out, formats, CAMPAIGN_FILES)
+    return write_named(document, out, formats, CAMPAIGN_FILES, spoken)

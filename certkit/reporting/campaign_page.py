@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.reporting.campaign_view import CampaignView, judged_words, short_name
+from certkit.reporting.campaign_view import CampaignView
 from certkit.reporting.charts.car_front import car_front
 from certkit.reporting.charts.lines import Line, lines_chart
+from certkit.reporting.language import ENGLISH, language, worded
 from certkit.reporting.static_page import static_page
 from certkit.reporting.templating import text
 
@@ -15,19 +16,19 @@ if TYPE_CHECKING:
     from certkit.reporting.svg import Drawing
 
 
-def campaign_page(document: CampaignReport) -> str:
+def campaign_page(document: CampaignReport, spoken: str = ENGLISH) -> str:
     """Return the page."""
-    view = CampaignView(document)
+    shown = worded(document, spoken) if spoken != ENGLISH else document
+    view = CampaignView(shown, language(spoken))
     return static_page(
         "campaign.html.j2",
         document.title,
+        spoken=spoken,
         more_style=text("styles/campaign.css"),
-        doc=document,
+        doc=shown,
         view=view,
-        fronts=[car_front(view, scheme) for scheme in document.schemes],
+        fronts=[car_front(view, scheme) for scheme in shown.schemes],
         profile=profile(view),
-        judged=judged_words,
-        short=short_name,
     )
 
 
@@ -47,8 +48,8 @@ def profile(view: CampaignView) -> Drawing | None:
         return None
     return lines_chart(
         lines,
-        f"Share of the limit of {short_name(view.first)}; 100 % is the limit",
-        "mm from the middle",
+        view.t("Share of the limit of {scheme}; 100 % is the limit", scheme=view.short(view.first)),
+        view.t("mm from the middle"),
         "%",
         width=900,
     )

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from certkit.reporting.language import english, language
 from certkit.reporting.number_format import MISSING, SIGNS, fixed, plain, shown
 
 if TYPE_CHECKING:
@@ -17,9 +18,10 @@ if TYPE_CHECKING:
         PointReport,
         SourceReport,
     )
+    from certkit.reporting.language import Language, Translate
 
 KINDS = {"measured": "measured", "finite elements": "FE", "lumped": "lumped", "predicted": "predicted"}
-BASES = {"mirrored": "mirrors", "neighbour": "as", "none": "nothing known"}
+BASES = {"mirrored": "mirrors {point}", "neighbour": "as {point}", "none": "nothing known"}
 
 MEANINGS = {
     "pass": "Every scheme that gates is met at every point.",
@@ -87,15 +89,17 @@ class ShownPoint:
 class CampaignView:
     """The document with what every report needs of it."""
 
-    def __init__(self, document: CampaignReport) -> None:
-        """Keep the document; everything else is made when asked for."""
+    def __init__(self, document: CampaignReport, spoken: Language | None = None) -> None:
+        """Keep the document and the language of its words; everything else is made when asked for."""
         self.document = document
+        self.spoken = spoken or language()
+        self.t = self.spoken.word
         self.first = document.schemes[0]
 
     @cached_property
     def scheme_names(self) -> list[str]:
         """Short name of each scheme."""
-        return [short_name(scheme) for scheme in self.document.schemes]
+        return [self.short(scheme) for scheme in self.document.schemes]
 
     @cached_property
     def criteria(self) -> list[Head]:
@@ -121,8 +125,8 @@ class CampaignView:
         first = judged[0]
         decisive = next((source for source in point.sources if source.decides), None)
         other = next((row for row in judged if row.basis != "none"), first)
-        basis = "" if other.basis == "own" else f"{BASES[other.basis]} {other.of}".strip()
-        source = KINDS[decisive.kind] if decisive else basis
+        basis = "" if other.basis == "own" else self.t(BASES[other.basis], point=other.of)
+        source = self.t(KINDS[decisive.kind]) if decisive else basis
         return ShownPoint(
             point=point,
             across=plain(point.across),
@@ -138,11 +142,15 @@ class CampaignView:
         for row in judged:
             each = next((c for c in row.criteria if c.id == head.id), None)
             if each is not None:
-                words = f"{plain(each.percent, 3)} % of {limit_words(each)} {each.unit}"
+                words = self.t(
+                    "{percent} % of {limit}",
+                    percent=plain(each.percent, 3),
+                    limit=f"{limit_words(each)} {each.unit}",
+                )
                 return Cell(shown(each.value, each.unit), each.percent, criterion_shade(each), words)
         source = next((source for source in point.sources if source.decides), None)
         value = next((v for v in source.values if v.id == head.id), None) if source else None
-        return Cell(MISSING, None, "none", value.reason if value and value.reason else "no value")
+        return Cell(MISSING, None, "none", value.reason if value and value.reason else self.t("no value"))
 
     def anchor(self, name: str) -> str:
         """Return where the page tells more of a point."""
@@ -161,35 +169,44 @@ class CampaignView:
     def headline(self, scheme: JudgedScheme) -> str:
         """Return what a scheme comes to in a few words."""
         if scheme.total is not None:
-            return f"{fixed(scheme.total, 3)} of {plain(scheme.maximum)}"
+            return self.t("{part} of {whole}", part=fixed(scheme.total, 3), whole=plain(scheme.maximum))
         if scheme.verdict is not None:
             passing = sum(row.verdict == "pass" for row in scheme.points)
-            return f"{passing} of {len(scheme.points)} points pass"
-        return "shares by point"
+            return self.t("{passed} of {count} points pass", passed=passing, count=len(scheme.points))
+        return self.t("shares by point")
 
     def worst_words(self, scheme: JudgedScheme) -> str:
         """Return what decides at the worst point."""
         row = next(row for row in scheme.points if row.point == scheme.worst_point)
-        score = "" if row.maximum is None else f"{judged_words(row)}, "
-        return f"{score}{row.worst} at {plain(row.percent, 3)} % of the limit"
+        score = "" if row.maximum is None else f"{self.judged_words(row)}, "
+        percent = plain(row.percent, 3)
+        return score + self.t("{criterion} at {percent} % of the limit", criterion=row.worst, percent=percent)
+
+    def short(self, scheme: JudgedScheme) -> str:
+        """Return a scheme's short name."""
+        return short_name(scheme, self.t)
+
+    def judged_words(self, row: JudgedPoint) -> str:
+        """Return what is said of a judged point in its mark."""
+        return judged_words(row, self.t)
 
     def shades(self, scheme: JudgedScheme) -> list[tuple[str, str]]:
         """Return the legend of a scheme's colours."""
         if scheme.kind != "points":
             words = (
-                "inside its limits",
-                f"from {NEAR:g} % of a limit on",
-                "in a guard band",
-                "beyond a limit",
+                self.t("inside its limits"),
+                self.t("from {percent} % of a limit on", percent=f"{NEAR:g}"),
+                self.t("in a guard band"),
+                self.t("beyond a limit"),
             )
             return list(zip(("s1", "s2", "s3", "s5"), words, strict=True))
         shares = ("all points", "75 % and more", "50 % and more", "25 % and more", "less")
-        return [(f"s{place}", said) for place, said in enumerate(shares, 1)]
+        return [(f"s{place}", self.t(said)) for place, said in enumerate(shares, 1)]
 
     @property
     def meaning(self) -> str:
         """One sentence on what the verdict says."""
-        return MEANINGS[self.document.verdict]
+        return self.t(MEANINGS[self.document.verdict])
 
     @property
     def agreement_words(self) -> str:
@@ -200,16 +217,20 @@ class CampaignView:
         mean = sum(abs(row.error_percent) for row in rows) / len(rows)
         far = max(rows, key=lambda row: abs(row.error_percent))
         places = len({row.point for row in rows})
-        points = "1 point" if places == 1 else f"{places} points"
-        return (
-            f"predicted against measured at {points}: {mean:.1f} % off in the mean, "
-            f"most {far.criterion} at {far.point}, {fixed(far.error_percent, 1)} %"
+        return self.t(
+            "predicted against measured at {points}: {mean} % off in the mean, "
+            "most {criterion} at {point}, {error} %",
+            points=self.t("1 point") if places == 1 else self.t("{count} points", count=places),
+            mean=f"{mean:.1f}",
+            criterion=far.criterion,
+            point=far.point,
+            error=fixed(far.error_percent, 1),
         )
 
 
-def short_name(scheme: JudgedScheme) -> str:
+def short_name(scheme: JudgedScheme, t: Translate = english) -> str:
     """Return a scheme's name, or that these are the maker's own targets."""
-    return "own targets" if scheme.kind == "targets" else scheme.scheme
+    return t("own targets") if scheme.kind == "targets" else scheme.scheme
 
 
 def limit_words(row: JudgedCriterion) -> str:
@@ -219,10 +240,10 @@ def limit_words(row: JudgedCriterion) -> str:
     return f"{plain(row.full, 4)}–{plain(row.limit, 4)}"
 
 
-def judged_words(row: JudgedPoint) -> str:
+def judged_words(row: JudgedPoint, t: Translate = english) -> str:
     """Return `✓ 83 %` of a limit, or `0.87 of 1` points."""
     if row.maximum is not None:
-        return f"{fixed(row.points, 2)} of {plain(row.maximum)}"
+        return t("{part} of {whole}", part=fixed(row.points, 2), whole=plain(row.maximum))
     sign = SIGNS[row.verdict or "not evaluated"]
     return sign if row.percent is None else f"{sign} {row.worst} {row.percent:.0f} %"
 

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from certkit._version import __version__
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.lines import lines_chart
+from certkit.reporting.language import ENGLISH, language, worded
 from certkit.reporting.named_files import Files, write_named
 from certkit.reporting.static_page import static_page
 from certkit.reporting.templating import fill, text
+from certkit.reporting.translated_titles import title_in
 
 if TYPE_CHECKING:
     from collections.abc import Collection
     from pathlib import Path
 
     from certkit.documents.comparison import ComparisonDocument, Overlay
+    from certkit.reporting.language import Language
     from certkit.reporting.svg import Drawing
 
+
+COMPARED = "{other} compared with {reference}"
 
 COMPARISON_FILES: Files = {
     "xlsx": ("comparison.xlsx", "certkit.reporting.comparison_xlsx:comparison_xlsx"),
@@ -27,46 +32,67 @@ COMPARISON_FILES: Files = {
 }
 
 
-def render_comparison(document: ComparisonDocument, out: Path, formats: Collection[str]) -> list[Path]:
+def render_comparison(
+    document: ComparisonDocument, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
+) -> list[Path]:
     """Write the wanted reports, and return what was written."""
-    return write_named(document, out, formats, COMPARISON_FILES)
+    return write_named(document, out, formats, COMPARISON_FILES, spoken)
 
 
-def comparison_page(document: ComparisonDocument) -> str:
+def comparison_page(document: ComparisonDocument, spoken: str = ENGLISH) -> str:
     """Return the page."""
-    drawings = [_overlay(overlay, document) for overlay in document.overlays]
-    return static_page("comparison.html.j2", document.title, doc=document, drawings=drawings)
+    return static_page(
+        "comparison.html.j2", _title(document, spoken), spoken=spoken, **_shown(document, spoken)
+    )
 
 
-def comparison_pdf(document: ComparisonDocument) -> bytes:
+def comparison_pdf(document: ComparisonDocument, spoken: str = ENGLISH) -> bytes:
     """Return the PDF, with the comparison document attached."""
     from certkit.reporting.attachments import Enclosure  # noqa: PLC0415  # only a PDF needs these
-    from certkit.reporting.pdf_engine import typeset  # noqa: PLC0415  # likewise
+    from certkit.reporting.font_check import check_font  # noqa: PLC0415  # likewise
+    from certkit.reporting.pdf_engine import typeset, weasyprint  # noqa: PLC0415  # likewise
     from certkit.reporting.pdf_report import creation_date  # noqa: PLC0415  # likewise
 
+    weasyprint()
+    check_font(spoken)
     created = creation_date([])
     html = fill(
         "comparison-pdf.html.j2",
-        title=document.title,
+        spoken=spoken,
+        title=_title(document, spoken),
         version=__version__,
         created=created.strftime("%Y-%m-%dT%H:%M:%SZ"),
         style=text("styles/certificate.css"),
-        doc=document,
-        drawings=[_overlay(overlay, document) for overlay in document.overlays],
+        **_shown(document, spoken),
     )
     enclosed = Enclosure("comparison.json", "comparison", document.to_json().encode(), "Data")
     return typeset(html, [enclosed], created)
 
 
-def _overlay(overlay: Overlay, document: ComparisonDocument) -> Drawing:
+def _title(document: ComparisonDocument, spoken: str) -> str:
+    """Return the title in a language: what is compared with what."""
+    sides = {"other": document.other.label, "reference": document.reference.label}
+    return document.title if spoken == ENGLISH else language(spoken).word(COMPARED, **sides)
+
+
+def _shown(document: ComparisonDocument, spoken: str) -> dict[str, Any]:
+    """Return what page and PDF show."""
+    shown = worded(document, spoken) if spoken != ENGLISH else document
+    return {
+        "doc": shown,
+        "drawings": [_overlay(overlay, document, language(spoken)) for overlay in document.overlays],
+    }
+
+
+def _overlay(overlay: Overlay, document: ComparisonDocument, spoken: Language) -> Drawing:
     """Draw both curves and their difference."""
     count = len(overlay.reference)
     times = [(overlay.start + i * overlay.interval) * 1e3 for i in range(count)]
     lines = [
         (document.reference.label, times, overlay.reference),
         (document.other.label, times, overlay.other),
-        ("difference", times, overlay.difference),
+        (spoken.word("difference"), times, overlay.difference),
     ]
     filtered = "" if overlay.filter == "none" else f", {overlay.filter}"
-    title = f"{words.named(overlay.channel, overlay.title)}{filtered}"
-    return lines_chart(lines, title, "time after contact, ms", overlay.unit)
+    title = f"{words.named(overlay.channel, title_in(overlay.title, spoken))}{filtered}"
+    return lines_chart(lines, title, spoken.word("time after contact, ms"), overlay.unit)

@@ -11,7 +11,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from certkit.errors import UsageError
-from certkit.reporting.language import ENGLISH, worded
+from certkit.reporting.language import ENGLISH
 from certkit.reporting.report_format import FORMATS
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class DocumentReport:
     usual : tuple of str
         Those written when none is named.
     takes_paper : bool
-        Whether the writer is told page size and language.
+        Whether the writer is told the page size beside the language.
     """
 
     writer: str
@@ -97,7 +97,7 @@ def render_document(
     paper : {'A4', 'Letter'}
         Page size of the PDF, where there is a choice.
     spoken : str
-        Language; of a result's page and PDF as a whole, of other documents the reasons in it.
+        Language of pages and PDFs.
 
     Returns
     -------
@@ -113,11 +113,9 @@ def render_document(
     checked(document, formats or ())
     module, _, name = report.writer.partition(":")
     write = getattr(import_module(module), name)
-    options: dict[str, str] = {}
+    options = {"spoken": spoken}
     if report.takes_paper:
-        options = {"paper": paper, "spoken": spoken}
-    elif spoken != ENGLISH:
-        document = worded(document, spoken)
+        options["paper"] = paper
     found: list[Path] = write(document, out, report.usual if formats is None else formats, **options)
     return found
 

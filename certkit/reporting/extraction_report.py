@@ -17,6 +17,7 @@ from certkit.reporting.coupled_check import worst_group
 from certkit.reporting.extraction_data import extraction_payload
 from certkit.reporting.extraction_view import extraction_view
 from certkit.reporting.html_report import SCRIPTS
+from certkit.reporting.language import ENGLISH
 from certkit.reporting.left_out import leave_out
 from certkit.reporting.page_data import embedded
 from certkit.reporting.pdf_engine import typeset
@@ -31,7 +32,9 @@ if TYPE_CHECKING:
     from certkit.identification import ExtractionResult
 
 
-def render_extraction(result: ExtractionResult, out: Path, formats: Collection[str]) -> list[Path]:
+def render_extraction(
+    result: ExtractionResult, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
+) -> list[Path]:
     """Write `extraction.html` and `extraction.pdf` as wanted.
 
     Returns
@@ -42,10 +45,10 @@ def render_extraction(result: ExtractionResult, out: Path, formats: Collection[s
     written = []
     if "html" in formats:
         written.append(out / "extraction.html")
-        write_whole(written[-1], extraction_page(result))
+        write_whole(written[-1], extraction_page(result, spoken))
     if "pdf" in formats:
         try:
-            content = extraction_pdf(result)
+            content = extraction_pdf(result, spoken)
         except MissingPartError as error:
             leave_out("extraction.pdf", error)
         else:
@@ -54,12 +57,13 @@ def render_extraction(result: ExtractionResult, out: Path, formats: Collection[s
     return written
 
 
-def extraction_page(result: ExtractionResult) -> str:
+def extraction_page(result: ExtractionResult, spoken: str = ENGLISH) -> str:
     """Return the page."""
     data = extraction_payload(result, worst_group(result))
     return static_page(
         "extraction.html.j2",
         result.title,
+        spoken=spoken,
         scripts=SCRIPTS if data else (),
         data=embedded(data) if data else None,
         doc=result,
@@ -67,11 +71,12 @@ def extraction_page(result: ExtractionResult) -> str:
     )
 
 
-def extraction_pdf(result: ExtractionResult) -> bytes:
+def extraction_pdf(result: ExtractionResult, spoken: str = ENGLISH) -> bytes:
     """Return the PDF, with the result document attached."""
     created = creation_date([])
     html = fill(
         "extraction-pdf.html.j2",
+        spoken=spoken,
         title=result.title,
         version=__version__,
         created=created.strftime("%Y-%m-%dT%H:%M:%SZ"),

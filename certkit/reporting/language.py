@@ -6,6 +6,7 @@ Each language is one file of `languages/`, data alone; see `en.yaml` there.
 from __future__ import annotations
 
 import string
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -24,6 +25,9 @@ if TYPE_CHECKING:
 
 ENGLISH = "en"
 
+Translate = Callable[..., str]
+"""A language's fixed word for an English one: `Language.word`."""
+
 
 @dataclass(frozen=True)
 class Language:
@@ -41,7 +45,8 @@ class Language:
         Fixed words by the English ones.
     reasons : mapping of str to str
         Sentence of each code, with its parameters in braces. Format specifications are Python's, and `list`
-        (`A, B, C`), `and` (`A, B and C`), `join` (without anything between), `verdict` and `word`.
+        (`A, B, C`), `and` (`A, B and C`), `each` (`A; B; C`), `join` (without anything between), `verdict`
+        and `word`.
     verification : mapping of str to str
         Sentence of each code of a check of `certkit verify`, likewise.
     """
@@ -102,7 +107,7 @@ class _Sentence(string.Formatter):
             texts = [self.spoken.sentence(v) if isinstance(v, Reason) else str(v) for v in value]
             if format_spec == "and" and len(texts) > 1:
                 return self.spoken.word("{first} and {last}", first=", ".join(texts[:-1]), last=texts[-1])
-            return ("" if format_spec == "join" else ", ").join(texts)
+            return {"join": "", "each": "; "}.get(format_spec, ", ").join(texts)
         return str(super().format_field(value, format_spec))
 
 
@@ -124,6 +129,11 @@ def language(code: str = ENGLISH) -> Language:
     held = yaml.load((FOLDER / f"{code}.yaml").read_text("utf-8"), loader)  # noqa: S506  # makes texts alone
     tables = (held.get(name) or {} for name in ("verdicts", "words", "reasons", "verification"))
     return Language(code, held["name"], *tables)
+
+
+def english(text: str, /, **values: object) -> str:
+    """Return a fixed word in English, with `values` in its braces; see `Language.word`."""
+    return language().word(text, **values)
 
 
 def worded(document: Model, code: str = ENGLISH) -> Model:

@@ -9,7 +9,7 @@ from certkit._version import __version__
 from certkit.files import write_whole
 from certkit.reporting.attachments import Enclosure, manifest
 from certkit.reporting.laboratory_view import laboratory_view
-from certkit.reporting.language import ENGLISH, worded
+from certkit.reporting.language import ENGLISH, language, worded
 from certkit.reporting.logbook_page import logbook_page
 from certkit.reporting.number_format import SIGNS
 from certkit.reporting.plaintext import aligned
@@ -36,7 +36,7 @@ def render_certificate(
     paper: Paper = "A4",
     spoken: str = ENGLISH,
 ) -> list[Path]:
-    """Write `certificate.html` and `certificate.pdf` where they are wanted; reasons in the language.
+    """Write `certificate.html` and `certificate.pdf` where they are wanted, in a language.
 
     Returns
     -------
@@ -61,8 +61,8 @@ def render_certificate(
 
 def certificate_page(document: LegformCertificate, spoken: str = ENGLISH) -> str:
     """Return the page."""
-    title = f"Certificate of legform {document.serial}"
-    return static_page("legform-certificate.html.j2", title, **_shown(document, spoken))
+    title = language(spoken).word("Certificate of legform {serial}", serial=document.serial)
+    return static_page("legform-certificate.html.j2", title, spoken=spoken, **_shown(document, spoken))
 
 
 def certificate_pdf(
@@ -83,13 +83,18 @@ def certificate_pdf(
     parts = [
         Enclosure(document.file_name, document.noun, document.to_json().encode(), "Data"),
         Enclosure(
-            LOGBOOK, "logbook with its curves", logbook_page([document.logbook]).encode(), "Supplement"
+            LOGBOOK,
+            "logbook with its curves",
+            logbook_page([document.logbook], spoken).encode(),
+            "Supplement",
         ),
     ]
     listed = manifest(parts, [document.id], spoken)
+    kind = language(spoken).word("Legform certificate")
     html = fill(
         "legform-certificate-pdf.html.j2",
-        title=f"Legform certificate {document.number or document.id} – {document.serial}",
+        spoken=spoken,
+        title=f"{kind} {document.number or document.id} – {document.serial}",
         version=__version__,
         created=created.strftime("%Y-%m-%dT%H:%M:%SZ"),
         style=text("styles/certificate.css"),
@@ -103,10 +108,10 @@ def certificate_pdf(
 def _shown(document: LegformCertificate, spoken: str) -> dict[str, Any]:
     """Return what both templates show."""
     shown = worded(document, spoken) if spoken != ENGLISH else document
-    views = {view.result.procedure: view for view in unique_views(document.results)}
+    views = {view.result.procedure: view for view in unique_views(document.results, spoken)}
     return {
         "doc": shown,
-        "lab": laboratory_view(shown.laboratory),
+        "lab": laboratory_view(shown.laboratory, language(spoken).word),
         "tests": [(test, views.get(test.procedure)) for test in shown.tests],
     }
 

@@ -9,21 +9,26 @@ from typing import TYPE_CHECKING
 from certkit.files import write_whole
 from certkit.reporting import palette
 from certkit.reporting.charts.past_curves_chart import past_curves_chart
+from certkit.reporting.language import ENGLISH, language, worded
 from certkit.reporting.number_format import named, plain
 from certkit.reporting.scales import Scale, span, ticks
 from certkit.reporting.static_page import static_page
 from certkit.reporting.svg import Drawing, label, path, tag
+from certkit.reporting.translated_titles import title_in
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
     from pathlib import Path
 
     from certkit.documents.logbook_overview import LegOverview, Trend
+    from certkit.reporting.language import Language
 
 WIDTH, HEIGHT = 360.0, 190.0
 
 
-def render_logbook(leg: LegOverview, out: Path, formats: Collection[str]) -> list[Path]:
+def render_logbook(
+    leg: LegOverview, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
+) -> list[Path]:
     """Write `logbook-SERIAL.html` when it is wanted.
 
     Returns
@@ -34,31 +39,38 @@ def render_logbook(leg: LegOverview, out: Path, formats: Collection[str]) -> lis
     if "html" not in formats:
         return []
     written = out / f"logbook-{re.sub(r'[^A-Za-z0-9.-]+', '-', leg.serial).strip('-.')}.html"
-    write_whole(written, logbook_page([leg]))
+    write_whole(written, logbook_page([leg], spoken))
     return [written]
 
 
-def logbook_page(legs: Sequence[LegOverview]) -> str:
-    """Return one page with a section for each legform."""
-    title = f"Logbook of legform {legs[0].serial}" if len(legs) == 1 else f"Logbook of {len(legs)} legforms"
+def logbook_page(legs: Sequence[LegOverview], spoken: str = ENGLISH) -> str:
+    """Return one page with a section for each legform, in a language."""
+    words = language(spoken)
+    title = (
+        words.word("Logbook of legform {serial}", serial=legs[0].serial)
+        if len(legs) == 1
+        else words.word("Logbook of {count} legforms", count=len(legs))
+    )
+    if spoken != ENGLISH:
+        legs = [worded(leg, spoken) for leg in legs]
     shown = [
         (
             leg,
-            [(trend, control_chart(trend) if trend.count > 1 else "") for trend in leg.trends],
-            [past_curves_chart(past) for past in leg.curves],
+            [(trend, control_chart(trend, words) if trend.count > 1 else "") for trend in leg.trends],
+            [past_curves_chart(past, words) for past in leg.curves],
         )
         for leg in legs
     ]
-    return static_page("logbook.html.j2", title, legs=shown)
+    return static_page("logbook.html.j2", title, spoken=spoken, legs=shown)
 
 
-def control_chart(trend: Trend) -> Drawing:
+def control_chart(trend: Trend, spoken: Language) -> Drawing:
     """Draw a channel's values over the tests, with corridor, control limits and drift."""
     values = span([*trend.values, trend.lower, trend.upper, trend.control_lower, trend.control_upper])
     days = [float(date.fromisoformat(day).toordinal()) for day in trend.days]
     first, last = span(days, margin=0.04)
     x, y = Scale(first, last, 46, WIDTH - 12), Scale(*values, HEIGHT - 30, 26)
-    title = f"{trend.procedure}: {named(trend.criterion, trend.title)}"
+    title = f"{trend.procedure}: {named(trend.criterion, title_in(trend.title, spoken))}"
     drawn = _corridor(trend, x, y)
     for value in ticks(*values, 5):
         drawn += tag(
@@ -91,7 +103,13 @@ def control_chart(trend: Trend) -> Drawing:
     drawn += label(x.end, 14, trend.unit, text_anchor="end", fill=palette.MUTED, class_="tick unit")
     for edge, written, anchor in ((x.start, trend.days[0], "start"), (x.end, trend.days[-1], "end")):
         drawn += label(edge, HEIGHT - 10, written, text_anchor=anchor, fill=palette.MUTED, class_="tick")
-    alternative = f"{title}: {trend.count} values, mean {plain(trend.mean, 4)} {trend.unit}; {trend.remark}"
+    said = spoken.word(
+        "{count} values, mean {mean} {unit}",
+        count=trend.count,
+        mean=plain(trend.mean, 4),
+        unit=trend.unit,
+    )
+    alternative = f"{title}: {said}; {trend.remark}"
     return Drawing(WIDTH, HEIGHT, drawn, alternative)
 
 

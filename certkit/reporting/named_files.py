@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from certkit.errors import MissingPartError
 from certkit.files import write_whole
+from certkit.reporting.language import ENGLISH
 from certkit.reporting.left_out import leave_out
 
 if TYPE_CHECKING:
@@ -19,12 +20,21 @@ Files = dict[str, tuple[str, str]]
 """By format: the file's name, and `module:function` that makes its content of the document."""
 
 
-def write_named(
-    document: OutputDocument, out: Path, formats: Collection[str], files: Mapping[str, tuple[str, str]]
-) -> list[Path]:
-    """Write the wanted reports into a folder, and return what was written.
+TRANSLATED = ("html", "pdf")
+"""Formats that are made in each language."""
 
-    One that needs something that is not installed is left out, with a `LeftOutWarning`.
+
+def write_named(
+    document: OutputDocument,
+    out: Path,
+    formats: Collection[str],
+    files: Mapping[str, tuple[str, str]],
+    spoken: str = ENGLISH,
+) -> list[Path]:
+    """Write the wanted reports into a folder, in a language, and return what was written.
+
+    Those that people work on, and those that programs read, are English. One that needs something that is not
+    installed is left out, with a `LeftOutWarning`.
     """
     written = []
     for name, (file, home) in files.items():
@@ -32,7 +42,8 @@ def write_named(
             continue
         module, _, function = home.partition(":")
         try:
-            content = getattr(import_module(module), function)(document)
+            make = getattr(import_module(module), function)
+            content = make(document, spoken) if name in TRANSLATED else make(document)
         except MissingPartError as error:
             leave_out(file, error)
             continue

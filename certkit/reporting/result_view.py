@@ -164,13 +164,11 @@ class View:
         """Each channel over time."""
         from certkit.reporting.charts.channel_history import history_chart  # noqa: PLC0415  # see the class
 
-        curves = self.result.curves
+        curves, t = self.result.curves, self.spoken.word
         if curves is None or not _drawable(self.result):
             return []
         return [
-            LinkedDrawing(
-                f"{self.key}-chart-{slug(name)}", name, history_chart(curves, name, c), c.id if c else None
-            )
+            self._linked(name, name, history_chart(curves, name, c, t=t), c)
             for name, c in ordered_channels(self.result).items()
         ]
 
@@ -180,10 +178,14 @@ class View:
         from certkit.reporting.charts.plane import plane_chart  # noqa: PLC0415  # likewise
 
         return [
-            LinkedDrawing(f"{self.key}-chart-{slug(figure_of(c))}", c.id, plane_chart(c.curve, c.title), c.id)
+            self._linked(figure_of(c), c.id, plane_chart(c.curve, c.title, t=self.spoken.word), c)
             for c in self.result.criteria
             if c.curve
         ]
+
+    def _linked(self, figure: str, name: str, drawn: Drawing, of: CriterionResult | None) -> LinkedDrawing:
+        """Return a drawing under the address by which its criterion's row links to it."""
+        return LinkedDrawing(f"{self.key}-chart-{slug(figure)}", name, drawn, of.id if of else None)
 
     @cached_property
     def spark(self) -> Drawing | None:
@@ -198,7 +200,7 @@ class View:
         from certkit.reporting.charts.motion_frames import frames_chart  # noqa: PLC0415  # likewise
 
         motion = self.result.motion
-        return frames_chart(motion) if motion and motion.poses else None
+        return frames_chart(motion, t=self.spoken.word) if motion and motion.poses else None
 
     @cached_property
     def rig(self) -> Drawing | None:
@@ -206,7 +208,7 @@ class View:
         from certkit.reporting.charts.rig_drawing import rig_drawing  # noqa: PLC0415  # likewise
 
         motion = self.result.motion
-        return rig_drawing(motion) if motion and motion.poses else None
+        return rig_drawing(motion, t=self.spoken.word) if motion and motion.poses else None
 
     @cached_property
     def errors(self) -> Drawing | None:
@@ -214,14 +216,15 @@ class View:
         from certkit.reporting.charts.error_bars import errors_chart  # noqa: PLC0415  # likewise
 
         comparison = self.result.comparison
-        return errors_chart(comparison) if comparison and comparison.rows else None
+        return errors_chart(comparison, t=self.spoken.word) if comparison and comparison.rows else None
 
     @cached_property
     def energies(self) -> Drawing | None:
         """Energies over time."""
         from certkit.reporting.charts.energies import energies_chart  # noqa: PLC0415  # likewise
 
-        return energies_chart(self.result.energies) if self.result.energies else None
+        energies = self.result.energies
+        return energies_chart(energies, t=self.spoken.word) if energies else None
 
     @cached_property
     def front(self) -> FrontView | None:

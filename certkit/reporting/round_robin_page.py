@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 from certkit.files import write_whole
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.laboratory_values import laboratory_values_chart
+from certkit.reporting.language import ENGLISH, language, worded
 from certkit.reporting.plaintext import aligned
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
+    from collections.abc import Callable, Collection
     from pathlib import Path
 
     from certkit.documents.round_robin_report import CriterionPrecision, RoundRobinReport
@@ -20,7 +21,9 @@ QUESTIONABLE, TOO_FAR = 2.0, 3.0
 """|z| from which a result is a warning, and an action signal (ISO 13528:2022, 9.4.2)."""
 
 
-def render_round_robin(document: RoundRobinReport, out: Path, formats: Collection[str]) -> list[Path]:
+def render_round_robin(
+    document: RoundRobinReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
+) -> list[Path]:
     """Write `round-robin.html` when it is wanted.
 
     Returns
@@ -31,28 +34,49 @@ def render_round_robin(document: RoundRobinReport, out: Path, formats: Collectio
     if "html" not in formats:
         return []
     path = out / "round-robin.html"
-    write_whole(path, round_robin_page(document))
+    write_whole(path, round_robin_page(document, spoken))
     return [path]
 
 
-def round_robin_page(document: RoundRobinReport) -> str:
+def round_robin_page(document: RoundRobinReport, spoken: str = ENGLISH) -> str:
     """Return the page."""
+    shown = worded(document, spoken) if spoken != ENGLISH else document
+    t = language(spoken).word
     scores = [
-        (each, [_score(each, laboratory) for laboratory in document.laboratories])
+        (each, [_score(each, laboratory, t) for laboratory in document.laboratories])
         for each in document.criteria
     ]
-    drawings = [laboratory_values_chart(each) for each in document.criteria]
-    return static_page("round-robin.html.j2", document.title, doc=document, scores=scores, drawings=drawings)
+    drawings = [laboratory_values_chart(each, language(spoken)) for each in document.criteria]
+    outliers = [
+        t(
+            "{laboratory} in {criterion} ({test})",
+            laboratory=each.laboratory,
+            criterion=each.criterion,
+            test=t(each.test),
+        )
+        for each in document.found_outliers
+    ]
+    return static_page(
+        "round-robin.html.j2",
+        document.title,
+        spoken=spoken,
+        doc=shown,
+        scores=scores,
+        drawings=drawings,
+        outliers=outliers,
+    )
 
 
-def _score(criterion: CriterionPrecision, laboratory: str) -> tuple[float | None, str, str]:
+def _score(
+    criterion: CriterionPrecision, laboratory: str, t: Callable[..., str]
+) -> tuple[float | None, str, str]:
     """Return z of a laboratory, the verdict whose colour it takes, and the outlier tests it fell in."""
     row = next((row for row in criterion.rows if row.laboratory == laboratory), None)
     if row is None or row.z is None:
         return None, "not evaluated", ""
     size = abs(row.z)
     verdict = "fail" if size >= TOO_FAR else "conditional" if size >= QUESTIONABLE else "pass"
-    marks = (f"{what}: {mark}" for what, mark in (("scatter", row.cochran), ("mean", row.grubbs)) if mark)
+    marks = (f"{t(what)}: {t(mark)}" for what, mark in row.marks if mark)
     return row.z, verdict, ", ".join(marks)
 
 

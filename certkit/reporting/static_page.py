@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from certkit._version import __version__
 from certkit.reporting.html_report import joined, page_style, policy
+from certkit.reporting.language import ENGLISH
 from certkit.reporting.templating import fill
 
 if TYPE_CHECKING:
@@ -16,6 +17,7 @@ def static_page(
     template: str,
     title: str,
     *,
+    spoken: str = ENGLISH,
     more_style: str = "",
     scripts: Sequence[str] = (),
     **values: Any,  # noqa: ANN401  # templates take anything
@@ -28,6 +30,8 @@ def static_page(
         Its name.
     title : str
         Title of the page.
+    spoken : str
+        Language of its fixed words.
     more_style : str
         Rules beside the style of all pages.
     scripts : sequence of str
@@ -39,6 +43,7 @@ def static_page(
     script = joined(scripts) if scripts else ""
     return fill(
         template,
+        spoken=spoken,
         title=title,
         version=__version__,
         policy=policy(style, script),

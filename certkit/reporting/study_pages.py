@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 from certkit.files import write_whole
 from certkit.reporting.charts.study_charts import dots, tornado
+from certkit.reporting.language import ENGLISH, language
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
+    from collections.abc import Callable, Collection
     from pathlib import Path
 
     from certkit.documents.calibration_report import CalibrationReport
@@ -22,19 +23,25 @@ if TYPE_CHECKING:
     from certkit.reporting.svg import Drawing
 
 
-def render_study(document: StudyReport, out: Path, formats: Collection[str]) -> list[Path]:
+def render_study(
+    document: StudyReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
+) -> list[Path]:
     """Write `study.html` when it is wanted, and return what was written."""
-    return _written(out / "study.html", study_page(document)) if "html" in formats else []
+    return _written(out / "study.html", study_page(document, spoken)) if "html" in formats else []
 
 
-def render_optimum(document: OptimumReport, out: Path, formats: Collection[str]) -> list[Path]:
+def render_optimum(
+    document: OptimumReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
+) -> list[Path]:
     """Write `optimum.html` when it is wanted, and return what was written."""
-    return _written(out / "optimum.html", optimum_page(document)) if "html" in formats else []
+    return _written(out / "optimum.html", optimum_page(document, spoken)) if "html" in formats else []
 
 
-def render_calibration(document: CalibrationReport, out: Path, formats: Collection[str]) -> list[Path]:
+def render_calibration(
+    document: CalibrationReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
+) -> list[Path]:
     """Write `fit.html` when it is wanted, and return what was written."""
-    return _written(out / "fit.html", calibration_page(document)) if "html" in formats else []
+    return _written(out / "fit.html", calibration_page(document, spoken)) if "html" in formats else []
 
 
 def _written(path: Path, page: str) -> list[Path]:
@@ -42,18 +49,19 @@ def _written(path: Path, page: str) -> list[Path]:
     return [path]
 
 
-def study_page(document: StudyReport) -> str:
+def study_page(document: StudyReport, spoken: str = ENGLISH) -> str:
     """Return the page of a study: what moves what, by how much, in which direction."""
     return static_page(
         "study.html.j2",
         document.title,
+        spoken=spoken,
         study=document,
-        sections=[_section(document, name) for name in document.outputs],
-        factors=[_range(factor) for factor in document.factors],
+        sections=[_section(document, name, language(spoken).word) for name in document.outputs],
+        factors=[_range(factor, language(spoken).word) for factor in document.factors],
     )
 
 
-def _section(document: StudyReport, output: str) -> dict[str, Any]:
+def _section(document: StudyReport, output: str, t: Callable[..., str]) -> dict[str, Any]:
     unit = document.output_units.get(output, "")
     effects = [effect for effect in document.effects if effect.output == output]
     rows = [(effect.factor, effect.effect, effect.lower, effect.upper) for effect in effects]
@@ -62,9 +70,13 @@ def _section(document: StudyReport, output: str) -> dict[str, Any]:
         "output": output,
         "unit": unit,
         "effects": sorted(effects, key=lambda effect: -abs(effect.effect)),
-        "tornado": tornado(rows, f"{output}: effect of each parameter", unit or "its unit"),
+        "tornado": tornado(
+            rows,
+            t("{value}: effect of each parameter", value=output),
+            t("change over the range, {unit}", unit=unit or t("its unit")),
+        ),
         "scatters": [
-            _cloud(cloud, f"{output} against {cloud.x_name}", units)
+            _cloud(cloud, t("{value} against {parameter}", value=output, parameter=cloud.x_name), units)
             for cloud in document.clouds
             if cloud.y_name == output
         ],
@@ -78,13 +90,14 @@ def _cloud(cloud: Cloud, title: str, units: dict[str, str]) -> Drawing:
     return dots(cloud.x, cloud.y, title, axes, cloud.line)
 
 
-def _range(factor: VariedParameter) -> dict[str, str]:
+def _range(factor: VariedParameter, t: Callable[..., str]) -> dict[str, str]:
     """Say how a factor varies, in words."""
     if factor.entries is not None:
         words = ", ".join(_quantity(entry, factor.unit) for entry in factor.entries)
     else:
         low, high = factor.low or 0.0, factor.high or 0.0
-        words = f"{_quantity(f'{low:.6g} to {high:.6g}', factor.unit, word=False)}, {factor.distribution}"
+        ends = t("{low} to {high}", low=f"{low:.6g}", high=f"{high:.6g}")
+        words = f"{_quantity(ends, factor.unit, word=False)}, {t(factor.distribution)}"
     nominal = "–" if factor.nominal is None else _quantity(factor.nominal, factor.unit, word=False)
     return {"name": factor.name, "range": words, "nominal": nominal}
 
@@ -98,22 +111,24 @@ def _with_unit(name: str, units: dict[str, str]) -> str:
     return f"{name}, {units[name]}" if units.get(name) else name
 
 
-def optimum_page(document: OptimumReport) -> str:
+def optimum_page(document: OptimumReport, spoken: str = ENGLISH) -> str:
     """Return the page of an optimisation: best settings, their values, and the trade-off of two aims."""
+    t = language(spoken).word
     settings = [
-        {**_range(factor), "best": _quantity(f"{document.best[factor.name]:.6g}", factor.unit, word=False)}
+        {**_range(factor, t), "best": _quantity(f"{document.best[factor.name]:.6g}", factor.unit, word=False)}
         for factor in document.factors
     ]
     units = {value.name: value.unit for value in document.outputs}
     return static_page(
         "optimum.html.j2",
         document.title,
+        spoken=spoken,
         optimum=document,
         settings=settings,
-        curve="" if document.cloud is None else _cloud(document.cloud, "Trade-off of two aims", units),
+        curve="" if document.cloud is None else _cloud(document.cloud, t("Trade-off of two aims"), units),
     )
 
 
-def calibration_page(document: CalibrationReport) -> str:
+def calibration_page(document: CalibrationReport, spoken: str = ENGLISH) -> str:
     """Return the page of a calibration: values before and after, and how well each parameter is known."""
-    return static_page("fit.html.j2", document.title, fit=document)
+    return static_page("fit.html.j2", document.title, spoken=spoken, fit=document)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from certkit.errors import UsageError
 from certkit.reporting import number_format as words
 from certkit.reporting.language import ENGLISH, language
+from certkit.reporting.translated_titles import title_in
 
 if TYPE_CHECKING:
     from jinja2.sandbox import SandboxedEnvironment
@@ -62,6 +63,7 @@ def _environment(code: str) -> SandboxedEnvironment:
         "language": spoken,
         "t": spoken.word,
         "verdict_name": spoken.verdict,
+        "title_in": lambda title: title_in(title, spoken),
         "corridor": words.corridor,
         "signs": words.SIGNS,
         "confidence_words": words.CONFIDENCE,

@@ -7,21 +7,26 @@ from typing import TYPE_CHECKING
 from certkit.files import write_whole
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.lines import lines_chart
+from certkit.reporting.language import ENGLISH, language, worded
 from certkit.reporting.plaintext import aligned
 from certkit.reporting.static_page import static_page
+from certkit.reporting.translated_titles import title_in
 
 if TYPE_CHECKING:
     from collections.abc import Collection
     from pathlib import Path
 
     from certkit.documents.twin_report import PartFinding, TwinCurve, TwinReport, TwinTest
+    from certkit.reporting.language import Language
     from certkit.reporting.svg import Drawing
 
 SHOWN = 5
 """Parts that a terminal shows of each test."""
 
 
-def render_twin(document: TwinReport, out: Path, formats: Collection[str]) -> list[Path]:
+def render_twin(
+    document: TwinReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
+) -> list[Path]:
     """Write `twin.html` when it is wanted.
 
     Returns
@@ -32,47 +37,62 @@ def render_twin(document: TwinReport, out: Path, formats: Collection[str]) -> li
     if "html" not in formats:
         return []
     path = out / "twin.html"
-    write_whole(path, twin_page(document))
+    write_whole(path, twin_page(document, spoken))
     return [path]
 
 
-def twin_page(document: TwinReport) -> str:
+def twin_page(document: TwinReport, spoken: str = ENGLISH) -> str:
     """Return the page."""
-    tests = [(test, said(test), [_drawing(curve) for curve in test.curves]) for test in document.tests]
+    shown = worded(document, spoken) if spoken != ENGLISH else document
+    words_of = language(spoken)
+    tests = [
+        (test, said(test, words_of), [_drawing(curve, words_of) for curve in test.curves])
+        for test in document.tests
+    ]
     parts = list(dict.fromkeys(finding.part for test in document.tests for finding in test.findings))
     followed = [(part, [_of(test, part) for test in document.tests]) for part in parts]
-    return static_page("twin.html.j2", document.title, doc=document, tests=tests, followed=followed)
+    title = words_of.word("Twin of legform {serial}", serial=document.legform)
+    title = title if spoken != ENGLISH else document.title
+    return static_page("twin.html.j2", title, spoken=spoken, doc=shown, tests=tests, followed=followed)
 
 
 def _of(test: TwinTest, part: str) -> PartFinding | None:
     return next((finding for finding in test.findings if finding.part == part), None)
 
 
-def _drawing(curve: TwinCurve) -> Drawing:
+def _drawing(curve: TwinCurve, spoken: Language) -> Drawing:
     times = [1e3 * time for time in curve.time]
-    lines = [("recorded", times, curve.recorded), ("model", times, curve.model)]
-    lines.append(("with the best part", times, curve.changed))
-    title = words.named(curve.channel, curve.title)
-    return lines_chart(lines, title, "time after contact, ms", curve.unit)
+    t = spoken.word
+    lines = [(t("recorded"), times, curve.recorded), (t("model"), times, curve.model)]
+    lines.append((t("with the best part"), times, curve.changed))
+    title = words.named(curve.channel, title_in(curve.title, spoken))
+    return lines_chart(lines, title, t("time after contact, ms"), curve.unit)
 
 
-def change(finding: PartFinding) -> str:
+def change(finding: PartFinding, spoken: Language) -> str:
     """Return a part's change with its interval: `−7.9 % (−8.8 to −7.1)`."""
     low, high = words.plain(finding.lower, 2), words.plain(finding.upper, 2)
-    return f"{words.plain(finding.change, 2)} {finding.unit} ({low} to {high})"
+    ends = spoken.word("{low} to {high}", low=low, high=high)
+    return f"{words.plain(finding.change, 2)} {finding.unit} ({ends})"
 
 
-def said(test: TwinTest) -> str:
+def said(test: TwinTest, spoken: Language) -> str:
     """Return the answer of one test in words."""
+    t = spoken.word
     candidates = [finding for finding in test.findings if finding.candidate]
     if test.answer == "nothing deviates":
-        return "No part deviates by more than sensors and time zero allow."
+        return t("No part deviates by more than sensors and time zero allow.")
     if test.answer == "no part explains it":
-        return f"No single part explains how it deviates; {candidates[0].part} comes nearest."
+        return t("No single part explains how it deviates; {part} comes nearest.", part=candidates[0].part)
     if test.answer == "one part":
-        return f"{candidates[0].part}: {change(candidates[0])}. What to do: {candidates[0].remedy}."
-    told = "; or ".join(f"{finding.part}: {change(finding)}" for finding in candidates)
-    return f"This recording cannot tell between {told}."
+        return t(
+            "{part}: {change}. What to do: {remedy}.",
+            part=candidates[0].part,
+            change=change(candidates[0], spoken),
+            remedy=candidates[0].remedy,
+        )
+    told = t("; or ").join(f"{finding.part}: {change(finding, spoken)}" for finding in candidates)
+    return t("This recording cannot tell between {parts}.", parts=told)
 
 
 def twin_text(document: TwinReport) -> str:
@@ -94,5 +114,5 @@ def twin_text(document: TwinReport) -> str:
         head = (
             f"{test.procedure} of {test.day}, {test.id}: deviation {words.plain(test.misfit, 2)} per sample"
         )
-        parts += [f"{head}\n{said(test)}", aligned(heads, rows, right=(1, 4, 5))]
+        parts += [f"{head}\n{said(test, language())}", aligned(heads, rows, right=(1, 4, 5))]
     return "\n\n".join([*parts, "\n".join(f"! {remark}" for remark in document.remarks)])

@@ -7,17 +7,20 @@ from typing import TYPE_CHECKING
 from certkit.files import write_whole
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.uncertainty_shares import uncertainty_shares_chart
+from certkit.reporting.language import ENGLISH, language
 from certkit.reporting.plaintext import aligned
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
+    from collections.abc import Callable, Collection
     from pathlib import Path
 
     from certkit.documents.uncertainty_report import CriterionUncertainty, UncertaintyReport
 
 
-def render_uncertainty(document: UncertaintyReport, out: Path, formats: Collection[str]) -> list[Path]:
+def render_uncertainty(
+    document: UncertaintyReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
+) -> list[Path]:
     """Write `uncertainty.html` when it is wanted.
 
     Returns
@@ -28,24 +31,28 @@ def render_uncertainty(document: UncertaintyReport, out: Path, formats: Collecti
     if "html" not in formats:
         return []
     path = out / "uncertainty.html"
-    write_whole(path, uncertainty_page(document))
+    write_whole(path, uncertainty_page(document, spoken))
     return [path]
 
 
-def uncertainty_page(document: UncertaintyReport) -> str:
+def uncertainty_page(document: UncertaintyReport, spoken: str = ENGLISH) -> str:
     """Return the page."""
-    shown = [(each, advice(each)) for each in document.criteria]
-    chart = uncertainty_shares_chart(document)
-    return static_page("uncertainty.html.j2", document.title, doc=document, criteria=shown, chart=chart)
+    t = language(spoken).word
+    shown = [(each, advice(each, t)) for each in document.criteria]
+    chart = uncertainty_shares_chart(document, t)
+    return static_page(
+        "uncertainty.html.j2", document.title, spoken=spoken, doc=document, criteria=shown, chart=chart
+    )
 
 
-def advice(each: CriterionUncertainty) -> str:
+def advice(each: CriterionUncertainty, t: Callable[..., str]) -> str:
     """Return what to do about a criterion's uncertainty; empty where nothing has to be done."""
     if not each.tighten:
         return ""
     if each.tighten_to is None:
-        return f"more than {each.tighten} alone has to be tightened"
-    return f"tighten {each.tighten} to {words.fixed(100 * each.tighten_to, 0)} % of what it is"
+        return t("more than {source} alone has to be tightened", source=each.tighten)
+    percent = words.fixed(100 * each.tighten_to, 0)
+    return t("tighten {source} to {percent} % of what it is", source=each.tighten, percent=percent)
 
 
 def uncertainty_text(document: UncertaintyReport) -> str:
@@ -61,7 +68,7 @@ def uncertainty_text(document: UncertaintyReport) -> str:
             words.plain(each.allowed, 2),
             each.lines[0].name if each.lines else "",
             f"{words.fixed(100 * each.lines[0].share, 0)} %" if each.lines else "",
-            advice(each),
+            advice(each, language().word),
         )
         for each in document.criteria
     ]

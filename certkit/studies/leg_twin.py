@@ -15,6 +15,8 @@ from certkit.definitions.loading.library import load
 from certkit.definitions.units import parse_quantity
 from certkit.documents.twin_report import PartFinding, TwinCurve, TwinReport, TwinTest
 from certkit.errors import DataError, UsageError
+from certkit.reasons import Reason
+from certkit.reporting.language import worded
 from certkit.studies.part_hypotheses import (
     DEVIATES,
     POOR,
@@ -89,22 +91,20 @@ def twin(
     before = list(tested_legs(against, sheet, folders)) if against is not None else []
     told = [_told(leg, sheet, before, folders) for leg in sorted(legs, key=lambda leg: (leg.day, leg.place))]
     remarks = [
-        "Each part is changed by itself; two that have changed together show as neither, or as a third.",
-        *(
-            []
-            if before
-            else ["Compared with the model: what it does not follow in any leg counts as deviation."]
-        ),
+        Reason.of("twin-one-part-at-a-time"),
+        *([] if before else [Reason.of("twin-against-the-model")]),
     ]
     return (
-        TwinReport(
-            diagnosis=sheet.diagnosis,
-            title=f"Twin of legform {serials[0]}",
-            legform=serials[0],
-            against=before[0].result.id if before else "",
-            tests=told,
-            remarks=remarks,
-            certkit=__version__,
+        worded(
+            TwinReport(
+                diagnosis=sheet.diagnosis,
+                title=f"Twin of legform {serials[0]}",
+                legform=serials[0],
+                against=before[0].result.id if before else "",
+                tests=told,
+                coded_remarks=remarks,
+                certkit=__version__,
+            )
         )
         .as_written()
         .with_id()

@@ -12,10 +12,11 @@ from certkit.errors import UsageError
 from certkit.grading.judge_car import judge_car
 from certkit.grading.prediction_agreement import agreement
 from certkit.grading.scheme_terms import in_unit
+from certkit.reporting.language import worded
 
 
 def judged(scheme: str, *points: object, symmetric: bool = True, **asked: object):
-    return judge_car(terms(scheme, **asked), points, symmetric=symmetric)  # type: ignore[arg-type]
+    return worded(judge_car(terms(scheme, **asked), points, symmetric=symmetric))  # type: ignore[arg-type]
 
 
 def test_a_limit_itself_passes_and_one_beyond_fails():

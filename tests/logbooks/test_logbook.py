@@ -17,15 +17,24 @@ from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.output_document import listed_json
 from certkit.documents.result import InputFile, Kind, Provenance
 from certkit.errors import DataError, UsageError
-from certkit.logbooks import Logbook, add, overview, rebuild, shipped_rules
+from certkit.logbooks import Logbook, add, rebuild, shipped_rules
+from certkit.logbooks import overview as drawn_up
+from certkit.reporting.language import worded
 from certkit.reporting.logbook_page import logbook_page
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
-    from certkit.documents.logbook_overview import Validity
+    from certkit.documents.logbook_overview import LegOverview, Validity
     from certkit.documents.result import Result
+
+
+def overview(
+    book: Logbook, serial: str, rules: LogbookRules | None = None, day: date | None = None
+) -> LegOverview:
+    """Return the overview with its reasons worded, as the commands show it."""
+    return worded(drawn_up(book, serial, rules=rules, day=day))
 
 
 def kept(folder: Path, results: list[Result]) -> Logbook:

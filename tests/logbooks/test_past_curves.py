@@ -12,6 +12,7 @@ from certkit.documents.logbook_overview import LegOverview
 from certkit.logbooks import Logbook, add, overview
 from certkit.logbooks.past_curves import MOST_POINTS, MOST_TESTS
 from certkit.reporting.charts.past_curves_chart import past_curves_chart
+from certkit.reporting.language import language
 from certkit.reporting.logbook_page import logbook_page
 
 
@@ -45,7 +46,7 @@ def test_a_thinned_curve_keeps_its_highest_and_its_lowest_value(leg: LegOverview
 
 
 def test_the_last_curve_is_drawn_last_and_in_colour(leg: LegOverview):
-    drawing = synthetic_result.parsed(past_curves_chart(leg.curves[0]))
+    drawing = synthetic_result.parsed(past_curves_chart(leg.curves[0], language()))
     curves = [
         each.get("class") for each in drawing.iter() if (each.get("class") or "") in {"zero", "curve p0"}
     ]

@@ -17,11 +17,13 @@ from certkit.bench.render_documents import render
 from certkit.bench.verify import verify
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.definitions.measures import MEASURES
+from certkit.definitions.study import DESIGNS
 from certkit.documents.wording import without_words
 from certkit.errors import MissingPartError, UsageError
 from certkit.reasons import Reason
 from certkit.reporting import font_check, language_list
 from certkit.reporting import language as language_module
+from certkit.reporting.campaign_view import BASES, MEANINGS
 from certkit.reporting.language import language, worded
 from certkit.reporting.language_list import languages
 from certkit.reporting.number_format import CONFIDENCE
@@ -63,6 +65,11 @@ MADE_FROM_PARTS = {
     "sensor-calibrated-later",
     "equipment-expired",
     "equipment-calibrated-later",
+    "point-rests-on-finite-elements",
+    "point-rests-on-lumped",
+    "point-rests-on-prediction",
+    "other-side-stands",
+    "neighbour-stands",
 }
 """Codes that do not stand as a word in `Reason.of("…")`, but in a table or a choice."""
 
@@ -182,15 +189,30 @@ def test_an_unknown_language_is_refused_with_those_there_are():
         language("xx")
 
 
+CALLS = {"t", "say", "word", "words_of", "spoken.word", "self.t", "view.t", "words.word", "language.word"}
+"""How the code asks for a fixed word."""
+
+
+def asked_words() -> set[str]:
+    """Return the texts that the code asks the words of a language for."""
+    found = set()
+    for path in (PACKAGE / "reporting").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Call) and node.args:
+                called = ast.unparse(node.func)
+                if called in CALLS or called.endswith(".word"):
+                    texts = ast.walk(node.args[0])
+                    found |= {each.value for each in texts if isinstance(each, ast.Constant)}
+    return {text for text in found if isinstance(text, str)}
+
+
 def fixed_words() -> set[str]:
     """Return the fixed words of templates and code: what stands in `t("…")`, and the tables of words."""
-    folder = PACKAGE.parent / "templates"
-    texts = [
-        path.read_text("utf-8") for path in (*folder.rglob("*.j2"), *(PACKAGE / "reporting").glob("*.py"))
-    ]
-    found = {word for text in texts for word in re.findall(r"""\bt\(\s*["']([^"']+)["']""", text)}
+    texts = [path.read_text("utf-8") for path in (PACKAGE.parent / "templates").rglob("*.j2")]
+    found = {word for text in texts for word in re.findall(r'\bt\(\s*"([^"]+)"', text)}
     kinds = {word for pair in KINDS.values() for word in pair}
-    return found | kinds | set(CONFIDENCE) | set(CONFIDENCE.values()) | set(MEASURES)
+    tables = (CONFIDENCE, CONFIDENCE.values(), MEASURES, DESIGNS, MEANINGS.values(), BASES.values())
+    return found | asked_words() | kinds | {word for table in tables for word in table}
 
 
 @pytest.mark.parametrize("code", [code for code in languages() if code != "en"])

@@ -10,6 +10,7 @@ from support.several_laboratories import certificate
 
 from certkit import twin
 from certkit.errors import DataError
+from certkit.reporting.language import language
 from certkit.reporting.twin_page import said, twin_page, twin_text
 
 
@@ -39,7 +40,7 @@ def test_what_looks_alike_is_named_together(tmp_path: Path) -> None:
     named = {finding.part for finding in test.findings if finding.candidate}
     assert test.answer == "several parts would do"
     assert {"MCL", "PCL"} <= named
-    assert all(part in said(test) for part in named)
+    assert all(part in said(test, language()) for part in named)
 
 
 def test_against_an_earlier_test_only_what_changed_since_counts(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ from certkit.documents.result import InputFile, Provenance
 from certkit.grading.judge_car import judge_car
 from certkit.grading.prediction_agreement import agreement
 from certkit.grading.scheme_terms import SchemeTerms
+from certkit.reporting.language import worded
 
 SHEET = """\
 campaign: made-up
@@ -67,15 +68,17 @@ def campaign() -> CampaignReport:
     ]
     asked = [terms("r127"), terms("euro-ncap-flex-pli", at_least=5.0)]
     asked.append(SchemeTerms(asked[0].scheme, asked[0].corridors, 0.8, own_targets=True))
-    return CampaignReport(
-        campaign="made-up",
-        title="A <made-up> car",
-        verdict="fail",
-        car=CarFront(name="Car", width=1800, height=1450, bonnet_edge=750, bumper=500, zones=[(50, 150)]),
-        schemes=[judge_car(each, points, symmetric=True) for each in asked],
-        points=points,
-        agreement=agreement(points, set(GOOD), 10.0),
-        tolerance_percent=10.0,
-        remarks=["something to know"],
-        provenance=Provenance(certkit="0.2.0", inputs=carried(), packages={}),
+    return worded(
+        CampaignReport(
+            campaign="made-up",
+            title="A <made-up> car",
+            verdict="fail",
+            car=CarFront(name="Car", width=1800, height=1450, bonnet_edge=750, bumper=500, zones=[(50, 150)]),
+            schemes=[judge_car(each, points, symmetric=True) for each in asked],
+            points=points,
+            agreement=agreement(points, set(GOOD), 10.0),
+            tolerance_percent=10.0,
+            remarks=["something to know"],
+            provenance=Provenance(certkit="0.2.0", inputs=carried(), packages={}),
+        )
     ).with_id()

@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
-from certkit.reporting.campaign_view import judged_words, point_shade
+from certkit.reporting.campaign_view import point_shade
 from certkit.reporting.charts.car_outline import car_outline
 from certkit.reporting.number_format import plain
 from certkit.reporting.scales import Scale, ticks
@@ -60,7 +60,7 @@ def car_front(view: CampaignView, scheme: JudgedScheme) -> Drawing:
     ground = seen * step
     z = Scale(0.0, seen, ground, 0.0)
     drawn = car_outline(car, x, z)
-    drawn += _zones(car, x, z) + _axis(document, x, ground)
+    drawn += _zones(car, x, z, view) + _axis(view, x, ground)
     reports = {point.name: point for point in document.points}
     size = _size(document, step)
     rows = sorted(scheme.points, key=lambda row: reports[row.point].across)
@@ -81,12 +81,17 @@ def car_front(view: CampaignView, scheme: JudgedScheme) -> Drawing:
         )
     for row in rows:
         drawn += tag(
-            "a", _mark(row, reports[row.point], x, z, size), href=f"#{view.anchor(row.point)}", class_="point"
+            "a",
+            _mark(row, reports[row.point], x, z, size, view.judged_words(row)),
+            href=f"#{view.anchor(row.point)}",
+            class_="point",
         )
     said = "; ".join(
-        f"{row.point} at {plain(reports[row.point].across)} mm: {judged_words(row)}" for row in rows
+        f"{view.t('{point} at {place} mm', point=row.point, place=plain(reports[row.point].across))}: "
+        f"{view.judged_words(row)}"
+        for row in rows
     )
-    title = f"{car.name} from ahead, {scheme.title}: {said}"
+    title = f"{view.t('{car} from ahead', car=car.name)}, {scheme.title}: {said}"
     return Drawing(WIDTH, ground + 46.0, drawn, title, "figure car", "group")
 
 
@@ -97,11 +102,11 @@ def _size(document: CampaignReport, step: float) -> float:
     return min(24.0, max(7.0, 0.44 * step * min(gaps, default=200.0)))
 
 
-def _mark(row: JudgedPoint, point: PointReport, x: Scale, z: Scale, size: float) -> str:
+def _mark(row: JudgedPoint, point: PointReport, x: Scale, z: Scale, size: float, said: str) -> str:
     """Draw the mark with its name, and below it what decides there."""
     a, b = x(point.across), z(point.height)
     shade = point_shade(row)
-    inner = tag("title", escape(f"{row.point}: {judged_words(row)}"))
+    inner = tag("title", escape(f"{row.point}: {said}"))
     inner += _form(row, a, b, size, shade)
     hollow = row.basis != "own" or row.source == "predicted"
     inner += label(
@@ -160,7 +165,7 @@ def _words(row: JudgedPoint, a: float, b: float, size: float) -> str:
     return "".join(label(a, below + 14.0 * line, words, **common) for line, words in enumerate(said) if words)
 
 
-def _zones(car: CarFront, x: Scale, z: Scale) -> str:
+def _zones(car: CarFront, x: Scale, z: Scale, view: CampaignView) -> str:
     """Hatch the zones of relaxed limits, and mark the test area."""
     drawn = ""
     for low, high in car.zones:
@@ -178,7 +183,12 @@ def _zones(car: CarFront, x: Scale, z: Scale) -> str:
         )
         middle = (x(low) + x(high)) / 2
         drawn += label(
-            middle, top - 8.0, "relaxed", text_anchor="middle", fill=palette.MUTED, class_="tick mark"
+            middle,
+            top - 8.0,
+            view.t("relaxed"),
+            text_anchor="middle",
+            fill=palette.MUTED,
+            class_="tick mark",
         )
     for edge in car.test_area or ():
         drawn += tag(
@@ -194,9 +204,9 @@ def _zones(car: CarFront, x: Scale, z: Scale) -> str:
     return drawn
 
 
-def _axis(document: CampaignReport, x: Scale, ground: float) -> str:
+def _axis(view: CampaignView, x: Scale, ground: float) -> str:
     """Draw the ground and the scale across the car."""
-    car = document.car
+    car = view.document.car
     drawn = tag("line", x1=x.start, x2=x.end, y1=ground, y2=ground, stroke=palette.MUTED, class_="zero")
     for value in ticks(-0.5 * car.width, 0.5 * car.width, 9):
         drawn += tag(
@@ -211,9 +221,10 @@ def _axis(document: CampaignReport, x: Scale, ground: float) -> str:
             fill=palette.MUTED,
             class_="tick",
         )
-    words = "mm from the middle, seen from ahead"
+    words = view.t("mm from the middle, seen from ahead")
     if car.test_area is not None:
-        words += f"; test area {plain(car.test_area[0])} to {plain(car.test_area[1])} mm"
+        low, high = map(plain, car.test_area)
+        words += view.t("; test area {low} to {high} mm", low=low, high=high)
     return drawn + label(
         WIDTH / 2, ground + 40, words, text_anchor="middle", font_size="13", fill=palette.MUTED, class_="tick"
     )

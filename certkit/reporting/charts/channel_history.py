@@ -7,12 +7,14 @@ from typing import TYPE_CHECKING
 from certkit.definitions.measures import MEASURES
 from certkit.reporting import palette
 from certkit.reporting.charts.axes import Frame
+from certkit.reporting.language import english
 from certkit.reporting.number_format import criterion_decimals, fixed, milliseconds, named
 from certkit.reporting.scales import span, thinned
 from certkit.reporting.svg import Drawing, label, path, tag
 
 if TYPE_CHECKING:
     from certkit.documents.result import CriterionResult, Histories, Series
+    from certkit.reporting.language import Translate
 
 
 def times(histories: Histories) -> list[float]:
@@ -61,13 +63,14 @@ def history_chart(
     *,
     width: float = 360,
     height: float = 200,
+    t: Translate = english,
 ) -> Drawing:
     """Draw one channel of `histories`; with a criterion also its corridor and peak."""
     series = histories.series[name]
     axis = times(histories)
     frame, peak, limits = history_frame(series, axis, criterion, width=width, height=height)
     shade = _band(frame, criterion, limits)
-    head = _head(criterion, series.unit) if peak else series.unit
+    head = _head(criterion, series.unit, t) if peak else series.unit
     drawn = shade + frame.axes(named(name, series.title), "ms", "" if peak else head)
     if peak and criterion:
         css = "head v-" + criterion.verdict.replace(" ", "-")
@@ -84,10 +87,11 @@ def history_chart(
     )
     if criterion and peak:
         drawn += _peak(frame, criterion, peak)
-    words = f"{series.title} over time in {series.unit}"
+    words = t("{channel} over time in {unit}", channel=series.title, unit=series.unit)
     if criterion and criterion.value is not None:
-        words += f"; value {fixed(criterion.value, criterion_decimals(criterion))} {criterion.unit}"
-        words += f" at {milliseconds(criterion.time)} ms" if criterion.time is not None else ""
+        at = criterion.time is not None
+        value = f"{fixed(criterion.value, criterion_decimals(criterion))} {criterion.unit}"
+        words += f"; {_head(criterion, criterion.unit, t) if at else value}"
     return Drawing(width, height, drawn, words)
 
 
@@ -134,12 +138,11 @@ def _band(frame: Frame, criterion: CriterionResult | None, limits: list[float]) 
     return drawn
 
 
-def _head(criterion: CriterionResult | None, unit: str) -> str:
+def _head(criterion: CriterionResult | None, unit: str, t: Translate) -> str:
     if criterion is None:
         return unit
-    return (
-        f"{fixed(criterion.value, criterion_decimals(criterion))} {unit} at {milliseconds(criterion.time)} ms"
-    )
+    value = f"{fixed(criterion.value, criterion_decimals(criterion))} {unit}"
+    return t("{value} at {time} ms", value=value, time=milliseconds(criterion.time))
 
 
 def _peak(frame: Frame, criterion: CriterionResult, peak: tuple[float, float]) -> str:

@@ -6,11 +6,13 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from certkit.reporting.charts.lines import lines_chart
+from certkit.reporting.language import english
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from certkit.documents.result import Histories, Result
+    from certkit.reporting.language import Translate
     from certkit.reporting.svg import Drawing
 
 
@@ -20,7 +22,7 @@ def draw(result: Result, names: Sequence[str]) -> Drawing | None:
     return energies_chart(result.energies) if result.energies else None
 
 
-def energies_chart(energies: Histories) -> Drawing | None:
+def energies_chart(energies: Histories, *, t: Translate = english) -> Drawing | None:
     """Draw where the energy went; forms that stay under a hundredth of the largest are named, not drawn."""
     if energies.count < 2 or not energies.series:
         return None
@@ -31,7 +33,7 @@ def energies_chart(energies: Histories) -> Drawing | None:
     least = 0.01 * max(sizes.values())
     lines = [(s.title, axis, s.values) for name, s in energies.series.items() if sizes[name] >= least]
     small = [s.title for name, s in energies.series.items() if sizes[name] < least]
-    title = "Energy"
+    title = t("Energy")
     drawing = lines_chart(lines, title, "ms", next(iter(energies.series.values())).unit)
-    note = f"{title} in J; under one hundredth of the largest and not drawn: {', '.join(small)}"
+    note = t("under one hundredth of the largest and not drawn: {names}", names=", ".join(small))
     return replace(drawing, title=f"{note}; {drawing.title}") if small else drawing

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.reporting.charts.axes import Frame
+from certkit.reporting.language import english
 from certkit.reporting.number_format import fixed
 from certkit.reporting.svg import Drawing, label, tag
 
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from certkit.documents.result import Comparison, Result
+    from certkit.reporting.language import Translate
 
 _FILLS = (
     ("test", "#3a3f45", "b0"),
@@ -27,7 +29,9 @@ def draw(result: Result, names: Sequence[str]) -> Drawing | None:
     return errors_chart(comparison) if comparison and comparison.rows else None
 
 
-def errors_chart(comparison: Comparison, *, width: float = 740, height: float = 230) -> Drawing:
+def errors_chart(
+    comparison: Comparison, *, width: float = 740, height: float = 230, t: Translate = english
+) -> Drawing:
     """Draw grouped bars with this simulation's error above each group."""
     rows = comparison.rows
     values = [v for r in rows for v in (r.test, r.simulation, r.published) if v is not None]
@@ -37,7 +41,7 @@ def errors_chart(comparison: Comparison, *, width: float = 740, height: float = 
         (0, len(rows)), (low - (room if low < 0 else 0), high + room), width=width, height=height
     )
     # Channel names stand where ticks would: an axis without numbers.
-    drawn = _strip_ticks(frame.axes("Peaks", "", rows[0].unit if rows else ""))
+    drawn = _strip_ticks(frame.axes(t("Peaks"), "", rows[0].unit if rows else ""))
     published = any(r.published is not None for r in rows)
     shown = _FILLS if published else _FILLS[:2]
     bar = 0.72 / len(shown)
@@ -65,12 +69,13 @@ def errors_chart(comparison: Comparison, *, width: float = 740, height: float = 
             middle, top - 5, f"{sign}{fixed(row.error_percent, 1)} %", text_anchor="middle", class_="mark"
         )
         drawn += label(middle, frame.bottom + 15, row.channel, text_anchor="middle", font_weight="600")
-    left = 62.0
-    for name, fill, css in shown:
+    left = max(62.0, 12 + 8.0 * len(t("Peaks")))
+    for word, fill, css in shown:
+        name = t(word)
         drawn += tag("rect", x=left, y=5, width=11, height=11, fill=fill, class_=css)
         drawn += label(left + 16, 14, name, class_="key")
         left += 16 + 6.4 * len(name) + 16
-    return Drawing(width, height, drawn, "Peaks of test and simulation, channel by channel")
+    return Drawing(width, height, drawn, t("Peaks of test and simulation, channel by channel"))
 
 
 def _strip_ticks(axes: str) -> str:

@@ -8,16 +8,18 @@ from certkit.reporting import palette
 from certkit.reporting.number_format import named, plain, shown
 from certkit.reporting.scales import Scale, span, ticks
 from certkit.reporting.svg import Drawing, label, path, tag
+from certkit.reporting.translated_titles import title_in
 
 if TYPE_CHECKING:
     from certkit.documents.round_robin_report import CriterionPrecision, LaboratoryRow
+    from certkit.reporting.language import Language
 
 WIDTH = 400.0
 HEIGHT = 210.0
 _MEAN_HALF_WIDTH = 9.0
 
 
-def laboratory_values_chart(criterion: CriterionPrecision) -> Drawing:
+def laboratory_values_chart(criterion: CriterionPrecision, spoken: Language) -> Drawing:
     """Draw the values of all laboratories in one criterion, with the limits of its corridor as dashed lines.
 
     The band is the mean ± 2 s_R: one laboratory's value in twenty lies outside it.
@@ -49,11 +51,17 @@ def laboratory_values_chart(criterion: CriterionPrecision) -> Drawing:
             drawn += _level(y(limit), left, right, "4 3")
     for number, row in enumerate(criterion.rows):
         drawn += _laboratory(row, left + step * (number + 0.5), step, y)
-    title = f"{criterion.procedure}: {named(criterion.criterion, criterion.title)}"
+    title = f"{criterion.procedure}: {named(criterion.criterion, title_in(criterion.title, spoken))}"
     drawn += label(6, 14, title, font_weight="600", class_="title")
     drawn += label(right, 14, criterion.unit, text_anchor="end", fill=palette.MUTED, class_="tick unit")
-    said = f"{title}: {criterion.tests} values of {len(criterion.rows)} laboratories, mean "
-    return Drawing(WIDTH, HEIGHT, drawn, f"{said}{shown(criterion.mean, criterion.unit)} {criterion.unit}")
+    said = spoken.word(
+        "{count} values of {laboratories} laboratories, mean {mean} {unit}",
+        count=criterion.tests,
+        laboratories=len(criterion.rows),
+        mean=shown(criterion.mean, criterion.unit),
+        unit=criterion.unit,
+    )
+    return Drawing(WIDTH, HEIGHT, drawn, f"{title}: {said}")
 
 
 def _level(place: float, left: float, right: float, dash: str | None) -> str:

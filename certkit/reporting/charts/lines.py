@@ -86,7 +86,7 @@ def lines_chart(  # noqa: PLR0913  # words, lines, and what stands beside them
         pen = pens[index % len(pens)]
         at = frame.place(a, b)
         drawn += tag("circle", cx=at[0], cy=at[1], r=3.4, fill=pen.colour, class_=f"dot {_css(pen)}")
-    return Drawing(width, height, drawn, f"{title} in {unit}: " + ", ".join(name for name, _, _ in lines))
+    return Drawing(width, height, drawn, f"{title}, {unit}: " + ", ".join(name for name, _, _ in lines))
 
 
 def _css(pen: palette.Pen) -> str:

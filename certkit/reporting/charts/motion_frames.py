@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.grid import side_by_side
+from certkit.reporting.language import english
 from certkit.reporting.number_format import fixed, plain
 from certkit.reporting.scales import Scale
 from certkit.reporting.svg import Drawing, label, path, tag
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 
     from certkit.documents.result import Result
     from certkit.documents.rig_motion import Motion, Shape
+    from certkit.reporting.language import Translate
 
 FILL = {
     "bone": "#e8e6e0",
@@ -127,7 +129,12 @@ def draw_frame(motion: Motion, frame: int, x: Scale, y: Scale) -> str:
 
 
 def frames_chart(
-    motion: Motion, frames: Sequence[int] | None = None, *, width: float = 740, most: int = 6
+    motion: Motion,
+    frames: Sequence[int] | None = None,
+    *,
+    width: float = 740,
+    most: int = 6,
+    t: Translate = english,
 ) -> Drawing:
     """Draw the key frames at one scale, with their times and a colour key.
 
@@ -152,13 +159,14 @@ def frames_chart(
         drawn += draw_frame(motion, frame, x, y)
     total = -(-len(frames) // columns) * (height + 24)
     if motion.moments:
-        drawn += colour_key(largest_moment(motion), motion.unit, 6, total + 6, 180)
+        drawn += colour_key(largest_moment(motion), motion.unit, 6, total + 6, 180, t)
         total += 32
     listed = ", ".join(fixed(motion.times[f] * 1e3, 1) for f in frames)
-    return Drawing(width, total, drawn, f"Legform and rig at {listed} ms, coloured by bending moment")
+    said = t("Legform and rig at {times} ms, coloured by bending moment", times=listed)
+    return Drawing(width, total, drawn, said)
 
 
-def colour_key(peak: float, unit: str, x: float, y: float, width: float) -> str:
+def colour_key(peak: float, unit: str, x: float, y: float, width: float, t: Translate = english) -> str:
     """Draw the colour scale of bending moments with its ends, ±`peak`, and its unit."""
     cells = 24
     drawn = "".join(
@@ -177,5 +185,5 @@ def colour_key(peak: float, unit: str, x: float, y: float, width: float) -> str:
         drawn += label(
             x + width * fraction, y + 20, value, text_anchor=anchor, fill=palette.MUTED, class_="tick"
         )
-    words = f"bending moment, {unit}"
+    words = t("bending moment, {unit}", unit=unit)
     return drawn + label(x + width + 10, y + 8, words, fill=palette.MUTED, class_="tick")

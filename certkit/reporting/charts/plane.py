@@ -8,6 +8,7 @@ from certkit.reporting import palette
 from certkit.reporting.charts.axes import Frame
 from certkit.reporting.charts.chosen import chosen
 from certkit.reporting.charts.grid import together
+from certkit.reporting.language import english
 from certkit.reporting.scales import span
 from certkit.reporting.svg import Drawing, label, path, tag
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from certkit.documents.result import CurveInPlane, Result
+    from certkit.reporting.language import Translate
 
 
 def draw(result: Result, names: Sequence[str]) -> Drawing | None:
@@ -24,7 +26,9 @@ def draw(result: Result, names: Sequence[str]) -> Drawing | None:
     return together(drawings, f"Curves of {result.title}")
 
 
-def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: float = 240) -> Drawing:
+def plane_chart(
+    curve: CurveInPlane, title: str, *, width: float = 360, height: float = 240, t: Translate = english
+) -> Drawing:
     """Draw it."""
     everything = [*curve.points, *(curve.polygon or [])]
     x = span([0.0, *(p[0] for p in everything)], margin=0.05)
@@ -64,10 +68,16 @@ def plane_chart(curve: CurveInPlane, title: str, *, width: float = 360, height: 
         drawn += label(
             frame.right - 4,
             frame.top + 12 if runs_low else frame.bottom - 18,
-            "no corridor known: shown, not graded",
+            t("no corridor known: shown, not graded"),
             text_anchor="end",
             fill=palette.MUTED,
             class_="tick",
         )
-    words = f"{curve.y_title} in {curve.y_unit} over {curve.x_title} in {curve.x_unit}"
+    words = t(
+        "{ordinate} in {unit} over {abscissa} in {other}",
+        ordinate=curve.y_title,
+        unit=curve.y_unit,
+        abscissa=curve.x_title,
+        other=curve.x_unit,
+    )
     return Drawing(width, height, drawn, words)

@@ -72,7 +72,7 @@ def position_bar(criterion: CriterionResult, decimals: int) -> Drawing | None:
     ]
     drawn += [_whisker(scale, *pair) for pair in _intervals(criterion)]
     drawn.append(_pointer(scale(value), palette.VERDICT[criterion.verdict], criterion.verdict))
-    words = f"{fixed(value, decimals)} {criterion.unit} in {corridor(criterion.lower, criterion.upper)}"
+    words = f"{fixed(value, decimals)} {criterion.unit}; {corridor(criterion.lower, criterion.upper)}"
     return Drawing(WIDTH, HEIGHT, "".join(drawn), words, css_class="bar")
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.motion_frames import FILL, placed
+from certkit.reporting.language import english
 from certkit.reporting.scales import Scale
 from certkit.reporting.svg import Drawing, label, path, tag
 
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 
     from certkit.documents.result import Result
     from certkit.documents.rig_motion import Motion, Shape
+    from certkit.reporting.language import Translate
 
 _ORDER = ("ground", "ghost", "rig", "flesh", "mass", "knee", "bone", "honeycomb", "ram", "vehicle")
 _WIDTH, _HEIGHT = 740.0, 430.0
@@ -33,7 +35,7 @@ def draw(result: Result, names: Sequence[str]) -> Drawing | None:
     return rig_drawing(motion) if motion and motion.poses else None
 
 
-def rig_drawing(motion: Motion) -> Drawing:
+def rig_drawing(motion: Motion, *, t: Translate = english) -> Drawing:
     """Draw the rig at the first instant of the run, with a line to each part's name."""
     pieces = [(shape, list(shape.outline)) for shape in (*motion.before, *motion.scene)]
     pieces += [(s, placed(s, pose)) for s, pose in zip(motion.shapes, motion.poses[0], strict=True)]
@@ -49,10 +51,10 @@ def rig_drawing(motion: Motion) -> Drawing:
     named = _named(pieces)
     total = max(height, len(named) * _LINE) + 20 + _BELOW
     drawn += _names([(words, x(a), z(b)) for words, (a, b) in named], x.end + 24, height + 10)
-    drawn += _below(motion, factor, total - _BELOW + 8)
+    drawn += _below(motion, factor, total - _BELOW + 8, t)
     width = min(_WIDTH, max(x.end + 34 + _LETTER * max(len(words) for words, _ in named), _NARROWEST))
     said = ", ".join(words for words, _ in named)
-    return Drawing(width, total, drawn, f"The rig in the laboratory, to scale: {said}")
+    return Drawing(width, total, drawn, t("The rig in the laboratory, to scale: {parts}", parts=said))
 
 
 def _piece(shape: Shape, outline: Outline) -> str:
@@ -119,7 +121,7 @@ def _names(named: Sequence[tuple[str, float, float]], at: float, height: float) 
     return drawn
 
 
-def _below(motion: Motion, factor: float, y: float) -> str:
+def _below(motion: Motion, factor: float, y: float, t: Translate) -> str:
     """Draw the scale bar, and gravity where the run has it."""
     bar = next((length for length in _BARS if length * factor <= 160), _BARS[-1])
     end = 10 + bar * factor
@@ -130,7 +132,9 @@ def _below(motion: Motion, factor: float, y: float) -> str:
         return drawn
     at = end + 90
     if not motion.gravity:
-        return drawn + label(at, y + 8, "gravity left out", class_="tick")
+        return drawn + label(at, y + 8, t("gravity left out"), class_="tick")
     arrow = path([(at, y - 6), (at, y + 16)]) + path([(at - 4, y + 9), (at, y + 16), (at + 4, y + 9)])
     drawn += tag("path", d=arrow, stroke=palette.INK, stroke_width=1.4, fill="none", class_="ink")
-    return drawn + label(at + 10, y + 8, f"gravity, {motion.gravity:g} m/s²", class_="tick")
+    return drawn + label(
+        at + 10, y + 8, t("gravity, {value} m/s²", value=f"{motion.gravity:g}"), class_="tick"
+    )

@@ -71,4 +71,4 @@ def _draw(
         colour = palette.VERDICT[criterion.verdict]
         css = "v-" + criterion.verdict.replace(" ", "-")
         drawn += tag("circle", cx=x(peak[0]), cy=y(peak[1]), r=2.6, fill=colour, class_=css)
-    return Drawing(WIDTH, HEIGHT, drawn, f"curve of {criterion.id}", css_class="spark")
+    return Drawing(WIDTH, HEIGHT, drawn, criterion.id, css_class="spark")

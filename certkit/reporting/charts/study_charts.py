@@ -17,14 +17,15 @@ NAMES = 250.0
 FIGURES = 70.0  # room for the numbers at the right
 
 
-def tornado(rows: Sequence[tuple[str, float, float | None, float | None]], title: str, unit: str) -> Drawing:
+def tornado(rows: Sequence[tuple[str, float, float | None, float | None]], title: str, below: str) -> Drawing:
     """Draw one bar a parameter from zero to its effect, the longest on top, with its interval as a whisker.
 
     Parameters
     ----------
     rows : sequence of (name, effect, lower, upper)
         Lower and upper end of the whisker; None leaves it out.
-    title, unit : str
+    title, below : str
+        Words at the head and below the axis.
     """
     rows = sorted(rows, key=lambda row: -abs(row[1]))
     known = [value for row in rows for value in (0.0, *row[1:]) if value is not None]
@@ -58,11 +59,7 @@ def tornado(rows: Sequence[tuple[str, float, float | None, float | None]], title
             )
         parts.append(label(WIDTH - 12, top + 12, f"{effect:+.3g}", text_anchor="end", fill=INK))
     parts.append(tag("line", x1=scale(0.0), x2=scale(0.0), y1=14.0, y2=bottom, stroke=INK))
-    parts.append(
-        label(
-            (NAMES + WIDTH - FIGURES) / 2, height - 4, f"change over the range, {unit}", text_anchor="middle"
-        )
-    )
+    parts.append(label((NAMES + WIDTH - FIGURES) / 2, height - 4, below, text_anchor="middle"))
     return Drawing(WIDTH, height, "".join(parts), title)
 
 

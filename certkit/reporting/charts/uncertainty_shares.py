@@ -9,6 +9,8 @@ from certkit.reporting.number_format import plain
 from certkit.reporting.svg import Drawing, label, tag
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from certkit.documents.uncertainty_report import UncertaintyReport
 
 WIDTH = 820.0
@@ -19,7 +21,7 @@ _LEAST_LABEL = 0.06
 """Share of the bar from which its percentage is written into it."""
 
 
-def uncertainty_shares_chart(document: UncertaintyReport) -> Drawing:
+def uncertainty_shares_chart(document: UncertaintyReport, t: Callable[..., str]) -> Drawing:
     """Draw one bar of 100 % a criterion, cut by source in one order; U stands at its end."""
     names = list(dict.fromkeys(line.name for each in document.criteria for line in each.lines))
     length = WIDTH - _LEFT - _RIGHT
@@ -51,4 +53,5 @@ def uncertainty_shares_chart(document: UncertaintyReport) -> Drawing:
         drawn += tag("rect", x=x, y=y, width=11, height=11, fill=_SHADES[number % 8])
         drawn += label(x + 17, y + 10, name, fill=palette.MUTED, class_="tick")
     height = below + 18 * ((len(names) + columns - 1) // columns) + 6
-    return Drawing(WIDTH, height, drawn, f"Shares of {len(names)} sources in the variance of each criterion")
+    said = t("Shares of {count} sources in the variance of each criterion", count=len(names))
+    return Drawing(WIDTH, height, drawn, said)
