@@ -165,12 +165,8 @@ class View:
         from certkit.reporting.charts.channel_history import history_chart  # noqa: PLC0415  # see the class
 
         curves, t = self.result.curves, self.spoken.word
-        if curves is None or not _drawable(self.result):
-            return []
-        return [
-            self._linked(name, name, history_chart(curves, name, c, t=t), c)
-            for name, c in ordered_channels(self.result).items()
-        ]
+        shown = ordered_channels(self.result) if curves and _drawable(self.result) else {}
+        return [self._linked(n, n, history_chart(curves, n, c, t=t), c) for n, c in shown.items() if curves]
 
     @cached_property
     def planes(self) -> list[LinkedDrawing]:
@@ -223,8 +219,8 @@ class View:
         """Energies over time."""
         from certkit.reporting.charts.energies import energies_chart  # noqa: PLC0415  # likewise
 
-        energies = self.result.energies
-        return energies_chart(energies, t=self.spoken.word) if energies else None
+        drawn = self.result.energies
+        return energies_chart(drawn, t=self.spoken.word) if drawn else None
 
     @cached_property
     def front(self) -> FrontView | None:
