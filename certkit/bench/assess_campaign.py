@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from certkit._version import __version__
 from certkit.bench.campaign_pages import write_campaign
 from certkit.bench.campaign_schemes import campaign_schemes
+from certkit.bench.package_versions import package_versions
 from certkit.bench.point_sources import CampaignFiles, load_point_source
 from certkit.bench.result_folder import distinct_names
-from certkit.bench.setup import PACKAGES
 from certkit.definitions.campaign import RANK
 from certkit.definitions.loading.library import load, shelves
 from certkit.definitions.units import parse_quantity
@@ -131,7 +130,7 @@ def assess(
         provenance=Provenance(
             certkit=__version__,
             inputs=[_definition(each) for each in (loaded, *used)] + read,
-            packages={name: version(name) for name in PACKAGES},
+            packages=dict(package_versions()),
         ),
     )
     return AssessedCampaign(worded(document).with_id(), results)

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.definitions.loading.library import load, names
+from certkit.bench.fit_aims import known_fits
 from certkit.definitions.units import UNITS, parse_quantity
-from certkit.errors import CertkitError
 from certkit.grading.front_limits import beyond_range
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
+    from certkit.bench.fit_aims import FitAims
     from certkit.bench.setup import Setup
-    from certkit.definitions.calibration import CalibrationTask
     from certkit.definitions.loading.library import Library
     from certkit.documents.result import Front
 
@@ -22,25 +20,14 @@ ON_BOUND = 0.005
 """Share of the way between the bounds within which a fitted value stands on one."""
 
 
-def fits_of(setup: Setup, library: Library = ()) -> list[CalibrationTask]:
+def fits_of(setup: Setup, library: Library = ()) -> list[FitAims]:
     """Return the fits that the legform was made by; those that cannot be read are passed over."""
     folders = (library,) if isinstance(library, (str, Path)) else tuple(library)
-    known = _known(tuple(str(folder) for folder in folders))
+    known = known_fits(tuple(str(folder) for folder in folders))
     return [task for task in known if task.legform == setup.legform.legform]
 
 
-@cache
-def _known(library: tuple[str, ...]) -> tuple[CalibrationTask, ...]:
-    found = []
-    for name in names("fit", library):
-        try:
-            found.append(load("fit", name, library=library).document)
-        except CertkitError:
-            continue  # `certkit validate` says what is wrong with it
-    return tuple(found)
-
-
-def fitted_to(setup: Setup, fits: list[CalibrationTask]) -> list[Reason]:
+def fitted_to(setup: Setup, fits: list[FitAims]) -> list[Reason]:
     """Return what the model was fitted to, where it is what the procedure grades by or compares with."""
     said = []
     for task in fits:
@@ -55,13 +42,13 @@ def fitted_to(setup: Setup, fits: list[CalibrationTask]) -> list[Reason]:
     return said
 
 
-def model_remarks(setup: Setup, fits: list[CalibrationTask], front: Front | None) -> tuple[Reason, ...]:
+def model_remarks(setup: Setup, fits: list[FitAims], front: Front | None) -> tuple[Reason, ...]:
     """Return the remarks on the model that a run was made with.
 
     Parameters
     ----------
     setup : Setup
-    fits : list of CalibrationTask
+    fits : list of FitAims
         Those of the legform.
     front : Front or None
         What the vehicle's front did, where there was one.
@@ -71,7 +58,7 @@ def model_remarks(setup: Setup, fits: list[CalibrationTask], front: Front | None
     return (*guess, *_on_bounds(setup, fits), *stretched)
 
 
-def _on_bounds(setup: Setup, fits: list[CalibrationTask]) -> list[Reason]:
+def _on_bounds(setup: Setup, fits: list[FitAims]) -> list[Reason]:
     """Return a remark on the fitted values of the model that stand on a bound."""
     values = {_path(parameter.path): parameter.value for parameter in setup.parameters}
     said = []

@@ -241,6 +241,8 @@ def split(formats: str | Collection[str]) -> list[str]:
 
 def _vehicle(document: OutputDocument, folder: Path) -> list[Path]:
     """Write the vehicle that an extraction found."""
+    if document.noun != "extraction":
+        return []
     from certkit.documents.extraction import ExtractionResult  # noqa: PLC0415  # only where there is one
 
     if not isinstance(document, ExtractionResult) or not document.vehicle:

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
-from importlib.metadata import version
+from functools import cached_property
 from typing import TYPE_CHECKING, cast
 
 from certkit._version import __version__
+from certkit.bench.package_versions import package_versions
 from certkit.definitions.loading.library import Loaded, load, names
 from certkit.definitions.loading.parameter_list import parameters
 from certkit.documents.result import InputFile, Override, Parameter, Provenance
 from certkit.grading.grading_terms import GradingTerms
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable
     from pathlib import Path
 
     from pydantic import BaseModel
@@ -26,9 +26,6 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Procedure
     from certkit.definitions.reference import Reference
     from certkit.definitions.vehicle import Vehicle
-
-# Packages whose version can change a number or a page.
-PACKAGES = ("jinja2", "numba", "numpy", "pydantic", "pymunk", "pyyaml", "weasyprint")
 
 OF_THE_MODEL = ("legform", "vehicle")
 """Roles that play no part where the leg was a real one."""
@@ -91,12 +88,6 @@ class Setup:
             packages=dict(package_versions()),
             overrides=list(self.overrides),
         )
-
-
-@cache
-def package_versions() -> Mapping[str, str]:
-    """Return the versions of `PACKAGES`; to read one from its metadata takes a millisecond."""
-    return {name: version(name) for name in PACKAGES}
 
 
 def prepare(procedure: str | Path, *, library: Library = (), overrides: Overrides | None = None) -> Setup:

@@ -35,6 +35,9 @@ ID_GROUP = 4
 MOST_FAULTS = 1000
 """Faults of a document that are looked at one by one."""
 
+_DIGITS = bytes.maketrans(b"-123456789", b"0" * 10)
+"""Makes one sign of all that a number can begin with, so that numbers are counted in one go."""
+
 _LINE = re.compile(r"(.*?) at line (\d+) column (\d+)")
 
 
@@ -231,8 +234,8 @@ def check_size(content: str | bytes, name: str) -> None:
             "; make it again with less data"
         )
     data = content.encode() if isinstance(content, str) else content
-    values = sum(data.count(mark) for mark in (b",", b"[", b"{"))
-    numbers = sum(data.count(b",%c" % digit) for digit in b"-0123456789")
+    values = len(data) - len(data.translate(None, b",[{"))
+    numbers = data.translate(_DIGITS).count(b",0")
     if values > MAX_DOCUMENT_VALUES or values - numbers > MAX_DOCUMENT_WORDS:
         raise DataError(
             f"{name}: more values than a document can have ({MAX_DOCUMENT_VALUES})"

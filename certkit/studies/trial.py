@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from hashlib import sha256
-from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import certkit
-from certkit.bench.setup import PACKAGES, Setup, prepare
+from certkit.bench.package_versions import package_versions
+from certkit.bench.setup import Setup, prepare
 from certkit.definitions.loading.kinds import kind_of
 from certkit.definitions.loading.library import search_order
 from certkit.definitions.loading.old_forms import path_of_today
@@ -204,5 +204,5 @@ def programs() -> str:
     for room in DECISIVE:
         for path in sorted((root / room).rglob("*.py")):
             code.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes())
-    packages = " ".join(f"{name} {version(name)}" for name in PACKAGES)
+    packages = " ".join(f"{name} {version}" for name, version in package_versions().items())
     return f"{packages}\n{code.hexdigest()}"

@@ -6,7 +6,6 @@ import re
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from hashlib import sha256
-from importlib.resources import files
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Protocol
 
@@ -215,7 +214,7 @@ def shipped_root() -> Path:
 
     It lies inside an installed package, at the top of a checkout otherwise.
     """
-    package = Path(str(files("certkit")))
+    package = Path(__file__).parents[2]
     inside = package / "shipped"
     return inside if inside.is_dir() else package.parent
 

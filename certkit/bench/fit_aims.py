@@ -1,0 +1,65 @@
+"""What a fit aimed at, as far as a result has to say so: its targets, and the bounds of its parameters.
+
+Every run asks for it. Of a fit's file only this is read here, which takes a third of the time of the whole.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from certkit.definitions.loading.kinds import KINDS
+from certkit.definitions.loading.library import find, names
+from certkit.definitions.loading.yaml_reader import read_tree
+from certkit.errors import CertkitError
+
+if TYPE_CHECKING:
+    from certkit.definitions.loading.search_path import Found
+
+
+class AimedAt(BaseModel):
+    """A procedure, and what its values should come to."""
+
+    procedure: str
+    to: Literal["corridors", "reference", "recording"] = "corridors"
+
+
+class Bounds(BaseModel):
+    """A number that was free between bounds; of one procedure, or of the legform."""
+
+    path: str
+    procedure: str | None = None
+    lower: str
+    upper: str
+
+
+class FitAims(BaseModel):
+    """A fit of a legform; see `certkit.definitions.calibration.CalibrationTask`."""
+
+    model_config = ConfigDict(extra="ignore")
+
+    fit: str
+    legform: str
+    targets: list[AimedAt]
+    parameters: list[Bounds]
+
+
+@cache
+def known_fits(library: tuple[str, ...]) -> tuple[FitAims, ...]:
+    """Return what all fits of a library aimed at.
+
+    Those that cannot be read are passed over; `certkit validate` says what is wrong with them.
+    """
+    found = []
+    for name in names("fit", library):
+        try:
+            found.append(FitAims.model_validate(_data(find(KINDS["fit"], name, library))))
+        except (CertkitError, ValidationError):
+            continue
+    return tuple(found)
+
+
+def _data(found: Found) -> dict[str, Any]:
+    return read_tree(found.data, found.file).data
