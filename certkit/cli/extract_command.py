@@ -10,7 +10,7 @@ import typer
 from certkit.cli import options  # noqa: TC001  # typer reads annotations
 
 if TYPE_CHECKING:
-    from certkit.documents.extraction import ExtractionResult
+    from certkit.documents.extraction import EnergyResult, ExtractionResult
     from certkit.documents.self_check import SelfCheck
 
 DEFAULT_FORMATS = "html,pdf"
@@ -135,9 +135,26 @@ def _sentence(check: SelfCheck) -> str:
     return f"{check.title}: {'; '.join(said)}"
 
 
+def _energies(energy: EnergyResult | None, which: str) -> str:
+    """Say an energy of the run's path, and of its law."""
+    if energy is None:
+        return "–"
+    law = getattr(energy, f"law_{which}")
+    return f"{getattr(energy, which):.1f} J" + ("" if law is None else f" ({law:.1f} J)")
+
+
 def _show(result: ExtractionResult, target: Path) -> None:
     """Print one line a load path."""
-    head = ("path", "peak force", "impulse", "closure", "law misfit", "known by")
+    head = (
+        "path",
+        "peak force",
+        "impulse",
+        "closure",
+        "law misfit",
+        "absorbed (law)",
+        "returned (law)",
+        "known by",
+    )
     rows = [
         (
             path.name,
@@ -145,6 +162,8 @@ def _show(result: ExtractionResult, target: Path) -> None:
             f"{max(path.impulse, key=abs):.2f} N·s",
             f"{max(c.percent for c in path.closures):.2f} %" if path.closures else "–",
             f"{path.law.misfit_percent:.1f} %" if path.law else "–",
+            _energies(path.energy, "absorbed"),
+            _energies(path.energy, "returned"),
             path.known_by,
         )
         for path in result.paths

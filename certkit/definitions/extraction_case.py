@@ -152,6 +152,12 @@ class Settings(Section):
         None
     )
     until: Annotated[Time | None, Field(description="Only histories up to here are used.")] = None
+    unloading: Annotated[
+        Literal["force", "energy"],
+        Field(
+            description="What unloading has to repeat: the force at best, or the energy that comes back, too."
+        ),
+    ] = "force"
     movement_limit: Annotated[
         float,
         Field(gt=0, le=1000, description="Per cent of its largest movement by which a face may err (rms)."),

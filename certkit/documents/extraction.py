@@ -79,6 +79,29 @@ class SheetResult(Part):
     tension: bool = True
 
 
+class EnergyResult(Part):
+    """Energy of a path over its history (J): the most that was put in, and what stayed; so of its law."""
+
+    put_in: Figure
+    absorbed: Figure
+    law_put_in: Figure | None = None
+    law_absorbed: Figure | None = None
+
+    @property
+    def returned(self) -> float:
+        """Return what came back in the run, J."""
+        return self.put_in - self.absorbed
+
+    @property
+    def law_returned(self) -> float | None:
+        """Return what comes back by the law, J."""
+        return (
+            None
+            if self.law_put_in is None or self.law_absorbed is None
+            else self.law_put_in - self.law_absorbed
+        )
+
+
 class PathResult(Part):
     """A load path over time: impulse (N·s), force and recorded contact force (N), shortening (m); its law."""
 
@@ -96,6 +119,7 @@ class PathResult(Part):
     peak_force: Figure
     peak_time: Figure
     sheet: SheetResult | None = None
+    energy: EnergyResult | None = None
 
 
 class MaterialResult(Part):

@@ -8,6 +8,7 @@ import numpy as np
 
 from certkit.documents.extraction import (
     ClosureResult,
+    EnergyResult,
     GroupResult,
     LawResult,
     OutlineResult,
@@ -16,6 +17,7 @@ from certkit.documents.extraction import (
 )
 from certkit.identification.balance import BY_MOMENTUM
 from certkit.identification.displacement import shortening
+from certkit.identification.path_energy import PathEnergy, path_energy
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -74,8 +76,10 @@ def path_result(flow: Flow, fit: SpringFit | None, sheet: SheetLaw | None, steps
             error = float(100 * np.sqrt(np.mean((force - flow.recorded) ** 2)) / peak)
     k = int(np.argmax(np.abs(force)))
     moved = np.zeros_like(force)
+    energy = None
     if flow.link.law:
         moved = shortening(flow.link, steps.displacements)
+        energy = _energy_result(flow, fit, steps, path_energy(moved, force))
     return PathResult(
         name=flow.link.name,
         source=flow.link.source,
@@ -94,6 +98,20 @@ def path_result(flow: Flow, fit: SpringFit | None, sheet: SheetLaw | None, steps
         peak_force=float(force[k]),
         peak_time=float(steps.grid.time[k]),
         sheet=None if sheet is None else _sheet_result(sheet),
+        energy=energy,
+    )
+
+
+def _energy_result(flow: Flow, fit: SpringFit | None, steps: FirstSteps, run: PathEnergy) -> EnergyResult:
+    law = None
+    if fit is not None:
+        x = shortening(flow.link, steps.displacements)
+        law = path_energy(x, fit.law.total_force(x, steps.grid.derivative(x)))
+    return EnergyResult(
+        put_in=run.put_in,
+        absorbed=run.absorbed,
+        law_put_in=None if law is None else law.put_in,
+        law_absorbed=None if law is None else law.absorbed,
     )
 
 

@@ -15,6 +15,7 @@ from certkit.identification.first_steps import FirstSteps, first_steps
 from certkit.identification.material import MOST_SPREAD, convert, front_spread, parse_area
 from certkit.identification.part_groups import left_over
 from certkit.identification.path_laws import path_laws
+from certkit.identification.rate_check import material_remark, rate_remarks
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -64,6 +65,7 @@ def extract(
     warnings += forgotten
     notes += noted
     fits, sheets = path_laws(steps, warnings, notes, progress)
+    rate_remarks(fits, steps, warnings, notes)
     warnings += closure_warnings(steps)
     closed = closes(steps, warnings)
     material, digests = _material(case, steps, fits, case_folder or folder, warnings)
@@ -116,4 +118,7 @@ def _material(
         )
     flow = next(f for f in steps.flows if f.link.name == name)
     history = (shortening(flow.link, steps.displacements), flow.force)
-    return convert(material, parse_area(material.area), fit.law, spread, folder, history)
+    result, digests = convert(material, parse_area(material.area), fit.law, spread, folder, history)
+    remark = material_remark(material, result, flow, steps)
+    warnings += [] if remark is None else [remark]
+    return result, digests

@@ -105,7 +105,8 @@ def _fit(flow: Flow, steps: FirstSteps) -> SpringFit | None:
     x = shortening(flow.link, steps.displacements)
     if flow.link.start is not None and not flow.link.tension:
         x = x - flow.link.start
-    fit = fit_law(x, steps.grid.derivative(x), flow.force, tension=flow.link.tension)
+    held = steps.case.settings.unloading == "energy"
+    fit = fit_law(x, steps.grid.derivative(x), flow.force, tension=flow.link.tension, hold_energy=held)
     if fit is None or flow.link.start is None or flow.link.tension:
         return fit
     start = flow.link.start

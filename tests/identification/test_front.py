@@ -77,6 +77,12 @@ def test_no_law_pushes_harder_than_what_it_was_read_from(result: ExtractionResul
             assert max(np.array(path.law.force)[seen]) <= 1.01 * largest
 
 
+def test_springs_with_dampers_are_told_and_those_without_are_not(result: ExtractionResult) -> None:
+    said = {note.partition(":")[0]: note for note in result.notes if "follows the rate" in note}
+    assert said.keys() == {"E3 – ground", "E4 – ground"}
+    assert "a damper of 133 N·s/m takes it up" in said["E3 – ground"]  # 150 in the model
+
+
 @pytest.mark.parametrize("check", ["front alone", "coupled"])
 def test_the_front_moves_as_in_the_run(checks: dict[str, SelfCheck], check: str) -> None:
     mean, worst = checks[check].mean_percent, checks[check].worst_percent
