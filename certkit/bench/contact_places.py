@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.mechanics.fixtures.recorded_force import RecordedForce
+from certkit.mechanics.rig.recorded_force import RecordedForce
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -12,7 +12,7 @@ from certkit.definitions.fixtures import FIXTURES
 if TYPE_CHECKING:
     from certkit.definitions.fixtures.fixture import Fixture, TestKind
 
-F = TypeVar("F", bound="Fixture")
+F = TypeVar("F")
 
 
 class RigBase(Section):

@@ -68,8 +68,8 @@ def _fits(pattern: str, code: str) -> bool:
 
 @cache
 def shipped_table() -> Mapping:
-    """Read the shipped table of the rig's channels and of conditions."""
-    source = files("certkit.exchange") / "rig-codes.yaml"
+    """Read the shipped table of conditions."""
+    source = files("certkit.exchange") / "condition-descriptors.yaml"
     return validate(read_tree(source.read_bytes(), source.name), Mapping)
 
 
@@ -87,7 +87,7 @@ def code_table(mapping: Mapping | None = None, channels: ChannelTable | None = N
     shipped, own = shipped_table().mme, mapping.mme if mapping else MmeTable()
     known = {kind.name: kind.codes for kind in table.kinds.values() if kind.codes}
     codes: dict[str, tuple[str, ...]] = {}
-    for entries in (own.codes, known, shipped.codes):
+    for entries in (own.codes, known):
         for name, patterns in entries.items():
             located = (pattern.replace("##", table.fine_location) for pattern in patterns)
             codes[name] = (*codes.get(name, ()), *located)

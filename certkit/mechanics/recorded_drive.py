@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from certkit.mechanics.fixtures.front_groups import add_groups
-from certkit.mechanics.fixtures.recorded_forces import add_recorded
+from certkit.mechanics.rig.front_groups import add_groups
+from certkit.mechanics.rig.recorded_forces import add_recorded
 from certkit.mechanics.solver.time_loop import Plan, run_world
 from certkit.mechanics.solver.world import Assembly
 
@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from certkit.definitions.vehicle import Vehicle
-    from certkit.mechanics.fixtures.recorded_force import RecordedForce
     from certkit.mechanics.records import Floats
+    from certkit.mechanics.rig.recorded_force import RecordedForce
 
 STEP = 1e-5
 """s: half the step of a vehicle run, since a front's groups are lighter than a leg's segments."""

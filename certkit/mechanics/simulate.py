@@ -10,8 +10,6 @@ import numpy as np
 
 from certkit.errors import RunError
 from certkit.files.limits import MAX_KEPT_SAMPLES
-from certkit.mechanics.fixtures.fixture_model import model_of
-from certkit.mechanics.fixtures.rig_assembly import RigAssembly
 from certkit.mechanics.legform.leg import add_leg
 from certkit.mechanics.legform.segments import leg_segments
 from certkit.mechanics.legform.stable_step import stable_step
@@ -19,6 +17,7 @@ from certkit.mechanics.outputs.energy_balance import RunQuality, energy_historie
 from certkit.mechanics.outputs.front_response import front_response
 from certkit.mechanics.outputs.motion import recorded_motion
 from certkit.mechanics.outputs.recorded_channels import channels, probes
+from certkit.mechanics.rig.rig_assembly import RigAssembly
 from certkit.mechanics.solver.pymunk_space import ITERATIONS
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
 from certkit.mechanics.solver.world import Assembly
@@ -32,9 +31,9 @@ if TYPE_CHECKING:
     from certkit.definitions.vehicle import Vehicle
     from certkit.documents.result import Front, Histories
     from certkit.documents.rig_motion import Motion
-    from certkit.mechanics.fixtures.recorded_force import RecordedForce
     from certkit.mechanics.legform.segments import Segment
     from certkit.mechanics.records import Floats
+    from certkit.mechanics.rig.recorded_force import RecordedForce
 
 STEP = 2e-5
 """s: step halving changes no peak by more than 0.1 % at it."""
@@ -94,18 +93,26 @@ def build(
 ) -> RigAssembly:
     """Put the legform on the procedure's rig; `rig.assembly.finish()` is the world to run."""
     specimen = procedure.specimen
-    models = [model_of(fixture) for fixture in procedure.rig.fixtures()]
+    fixtures = procedure.rig.fixtures()
     segments: Sequence[Segment] = leg_segments(legform, specimen.part)
-    for model in models:
-        segments = model.change_segments(segments)
+    for fixture in fixtures:
+        segments = fixture.change_segments(segments)
     flesh = specimen.flesh == "fitted"
     assembly = Assembly()
-    damping = max((model.mass_damping for model in models), default=0.0)
+    damping = max((fixture.mass_damping for fixture in fixtures), default=0.0)
     leg = add_leg(assembly, legform, segments, flesh=flesh, damping=damping)
     cover = float(legform.flesh.thickness) if flesh else 0.0
-    rig = RigAssembly(assembly, legform, procedure.rig, leg, cover, vehicle, driven=driven)
-    for model in models:
-        model.build(rig)
+    rig = RigAssembly(
+        assembly=assembly,
+        legform=legform,
+        rig=procedure.rig,
+        leg=leg,
+        cover=cover,
+        vehicle=vehicle,
+        driven=driven,
+    )
+    for fixture in fixtures:
+        fixture.build(rig)
     rig.add_outline()
     return rig
 

@@ -14,9 +14,9 @@ from certkit.definitions.vehicle import Spring, Vehicle
 from certkit.errors import DefinitionError, RunError
 from certkit.identification.spring_law import Branch, SpringLaw
 from certkit.mechanics import Simulation, simulate
-from certkit.mechanics.fixtures.front_faces import face_strips
-from certkit.mechanics.fixtures.spring_curve import loading_curve
 from certkit.mechanics.force_laws.vehicle_spring import VehicleSpring
+from certkit.mechanics.rig.front_faces import face_strips
+from certkit.mechanics.rig.spring_curve import loading_curve
 from certkit.mechanics.solver.time_loop import Plan, run_world
 from certkit.mechanics.solver.world import GROUND, Assembly
 

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import ast
+import json
+import subprocess
+import sys
 from dataclasses import fields
 from functools import cache
 from importlib import import_module
@@ -25,7 +28,7 @@ from certkit.definitions.legform_parts import Ligament
 from certkit.definitions.loading.validation import read_document
 from certkit.definitions.measures import MEASURES, MeasureKind
 from certkit.definitions.study import DESIGNS, Design, DesignKind
-from certkit.exchange.codes import shipped_table
+from certkit.exchange.codes import code_table
 from certkit.exchange.fe import read_case_data
 from certkit.exchange.read import read_recording
 from certkit.grading.measure import NoInterval, measure
@@ -268,16 +271,122 @@ def test_every_force_law_is_a_file_of_its_name():
     assert {law.words().replace(" ", "_") for law in LAWS} == defined("mechanics/force_laws", ForceLaw)
 
 
-def test_every_fixture_is_a_file_and_its_model_another_of_its_name():
+def test_every_fixture_is_a_file_of_its_name():
     names = {fixture.field_name() for fixture in FIXTURES}
     assert names == defined("definitions/fixtures", Section) - {"fixture"}
-    assert {f"{name}_model" for name in names} <= files("mechanics/fixtures")
+
+
+BUMPER_BEAM_DUMMY = """
+from typing import ClassVar
+
+from certkit.definitions.channels import FORCE, ChannelKind
+from certkit.definitions.fixtures.fixture import CONTACT_FORCE, Fixture
+from certkit.definitions.fixtures.rig_outlines import box, strips
+from certkit.definitions.provenance import Length, Mass, Speed, Stiffness
+
+class BumperBeamDummy(Fixture):
+    test_kind: ClassVar = "dynamic"
+    channels: ClassVar = (
+        CONTACT_FORCE,
+        ChannelKind("beam force", "force behind the beam", FORCE, ("T0BUMP000000FOX0", "??BUMP000000FOX?")),
+    )
+    marks_contact: ClassVar = True
+    conditions: ClassVar = ("speed",)
+
+    beam: Mass
+    sled: Mass
+    crash_boxes: Stiffness
+    speed: Speed
+    height: Length
+
+    def build(self, rig):
+        top, height, speed = self.height / 2, float(self.height), -float(self.speed)
+        x = rig.face(top, -top)
+        beam = rig.add_guided_mass("beam", float(self.beam), (x, 0.0), speed=speed)
+        sled = rig.add_guided_mass("sled", float(self.sled), (x + 0.3, 0.0), speed=speed)
+        for z, part in strips(top, height):
+            face = {"face_x": 0.0, "face_z": z, "height": part, "thickness": rig.cover}
+            rig.add_force("flesh compression", carrier=beam, **face, **rig.flesh_layer())
+        start, points = rig.add_curve([(0.0, 0.0), (0.1, 0.1 * self.crash_boxes)])
+        behind = rig.add_force(
+            "vehicle spring", first=beam, second=sled, rest=-0.3, push_start=start, push_points=points,
+            pull_start=0, pull_points=0, unloading=2 * float(self.crash_boxes), residual=0.0,
+            permanent_set=0.0, damping=0.0,
+        )
+        rig.record("beam force", behind, "force")
+        rig.mark_contact("flesh compression")
+        rig.longest_approach = 0.01
+        rig.draw("beam", "vehicle", box(0.0, 0.1, -top, top), body=beam)
+
+    def channel_values(self, rig, readings, bone_moment):
+        return {"beam force": readings["beam force"]}
+"""
+
+WITH_ONE_LINE_MORE = """
+import json, sys
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+
+import certkit.definitions
+
+here = Path(certkit.definitions.__file__).parent / "fixtures"
+text = (here / "__init__.py").read_text("utf-8")
+text = text.replace('"free_flight",', '"free_flight", "bumper_beam_dummy",')
+spec = spec_from_file_location(
+    "certkit.definitions.fixtures", here / "__init__.py", submodule_search_locations=[str(here), sys.argv[1]]
+)
+fixtures = module_from_spec(spec)
+sys.modules[spec.name] = certkit.definitions.fixtures = fixtures
+exec(compile(text, str(here / "__init__.py"), "exec"), vars(fixtures))
+
+import certkit
+
+sheet = Path(sys.argv[1]) / "beam.yaml"
+result = certkit.run(sheet, refine=False)
+data = certkit.export(result, Path(sys.argv[1]) / "beam.zip")
+graded = certkit.grade(sheet, data, lenient=True)
+print(json.dumps([[(c.id, c.verdict, c.value) for c in found.criteria] for found in (result, graded)]))
+"""
+
+BEAM = """
+procedure: beam
+title: Legform against a bumper beam
+method: {document: our own, confidence: estimated}
+specimen: {legform: flex-pli-gtr, part: leg, flesh: fitted}
+rig:
+  origin: {source: "our own, for a test", confidence: estimated}
+  bumper beam dummy: {beam: 5 kg, sled: 60 kg, crash boxes: 300 N/mm, speed: 5 m/s, height: 100 mm}
+run:
+  until: {value: 40 ms, source: "our own, for a test", confidence: estimated}
+criteria:
+  - {id: MCL, title: MCL, channel: MCL elongation, filter: CFC 180, measure: max, corridor: r127-inverse/MCL}
+  - {id: beam, title: Beam, channel: force behind the beam, filter: CFC 180, measure: max}
+"""
+
+
+def test_a_fixture_is_one_file_and_one_line(tmp_path: Path):
+    (tmp_path / "bumper_beam_dummy.py").write_text(BUMPER_BEAM_DUMMY, "utf-8")
+    (tmp_path / "beam.yaml").write_text(BEAM, "utf-8")
+    done = subprocess.run(
+        [sys.executable, "-c", WITH_ONE_LINE_MORE, str(tmp_path)], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    simulated, graded = json.loads(done.stdout)
+    assert {name: verdict for name, verdict, _ in simulated}["MCL"] in {"pass", "fail"}
+    assert {name: value for name, _, value in simulated}["beam"] > 100.0
+    assert [value for *_, value in graded] == pytest.approx([value for *_, value in simulated], rel=1e-4)
+
+
+def test_definitions_of_fixtures_are_read_without_the_simulation():
+    text = "import sys, certkit.definitions.procedure; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
+    assert not {"numpy", "numba", "pymunk", "certkit.mechanics"} & set(done.stdout.split())
 
 
 def test_every_channel_that_a_fixture_declares_can_be_written_and_read():
-    table = shipped_table().mme
-    assert table is not None
-    assert {kind.name for kind in RIG_CHANNELS} == set(table.codes)
+    table = code_table()
+    for kind in RIG_CHANNELS:
+        assert table.channel(table.code(kind.name, "CFC 180")) == kind.name
 
 
 def test_a_ligaments_numbers_are_the_cable_laws_by_their_names():

@@ -42,6 +42,11 @@ class Segment:
     depth: float
 
     @property
+    def is_knee(self) -> bool:
+        """Whether it is a block of the knee."""
+        return self.part == KNEE
+
+    @property
     def length(self) -> float:
         """Return the height of the segment."""
         return self.top - self.bottom

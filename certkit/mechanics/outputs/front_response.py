@@ -12,8 +12,8 @@ from certkit.documents.rounding import rounded_series
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.mechanics.fixtures.rig_assembly import RigAssembly
     from certkit.mechanics.records import Floats
+    from certkit.mechanics.rig.rig_assembly import RigAssembly
     from certkit.mechanics.solver.time_loop import Trajectory
 
 MOST_POINTS_OF_FRONT = 300

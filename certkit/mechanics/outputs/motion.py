@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.definitions.fixtures.rig_outlines import box
 from certkit.definitions.legform import KNEE
 from certkit.documents.rig_motion import Motion, Shape
-from certkit.mechanics.fixtures.rig_assembly import box
 from certkit.mechanics.outputs.recorded_channels import moment_at
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.mechanics.fixtures.rig_assembly import RigAssembly
     from certkit.mechanics.records import Floats, Integers
+    from certkit.mechanics.rig.rig_assembly import RigAssembly
     from certkit.mechanics.solver.time_loop import Trajectory
 
 

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.definitions.legform import KNEE
-from certkit.mechanics.fixtures.fixture_model import model_of
 from certkit.mechanics.force_laws.joint_spring import JointSpring
 from certkit.mechanics.force_laws.ligament_cable import LigamentCable
 from certkit.signals import Channel
@@ -17,9 +16,9 @@ from certkit.signals import Channel
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.mechanics.fixtures.rig_assembly import RigAssembly
     from certkit.mechanics.legform.leg import Leg
     from certkit.mechanics.records import Floats
+    from certkit.mechanics.rig.rig_assembly import RigAssembly
     from certkit.mechanics.solver.time_loop import Trajectory
     from certkit.mechanics.solver.world import World
 
@@ -122,7 +121,7 @@ def _of_rig(rig: RigAssembly, leg: Leg, run: Trajectory, readings: Mapping[str, 
         return moment_at(leg, readings, height, part)
 
     for fixture in rig.rig.fixtures():
-        values |= model_of(fixture).channels(rig, readings, bone_moment)
+        values |= fixture.channel_values(rig, readings, bone_moment)
     return values
 
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from certkit.identification.sheet_law import sheet_law
-from certkit.mechanics.fixtures.recorded_tables import add_path, add_tables
 from certkit.mechanics.force_laws.folding_face_contact import FoldingFaceContact
 from certkit.mechanics.force_laws.law import OutlinePiece
 from certkit.mechanics.force_laws.recorded_contact import RecordedContact
 from certkit.mechanics.force_laws.sheet_link import SheetLink
+from certkit.mechanics.rig.recorded_tables import add_path, add_tables
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
 from certkit.mechanics.solver.world import GROUND, Assembly
 
