@@ -110,5 +110,7 @@ def _line(line: MovingLine, worst: str | None) -> dict[str, Any]:
         if frames:
             columns = zip(*([v for point in frame for v in point] for frame in frames), strict=True)
             places = [differences(differences([round(v / PLACE_UNIT) for v in c])) for c in columns]
-            found[side] = {"places": places} | ({"moments": moments} if moments else {})
+            found[side] = {"places": places} | (
+                {"moments": [[round(v) for v in row] for row in moments]} if moments else {}
+            )
     return found

@@ -71,6 +71,7 @@ class ExtractionView:
 
     stills: Drawing | None
     colours: Drawing | None
+    leg_seen: bool
     worst: GroupView | None
     groups: list[GroupView]
     channels: list[ChannelView]
@@ -105,6 +106,7 @@ def extraction_view(result: ExtractionResult) -> ExtractionView:
     return ExtractionView(
         stills=run_and_model(result.motion) if result.motion else None,
         colours=leg_colours(result.motion) if result.motion else None,
+        leg_seen=bool(result.motion and any(line.kind == "leg" and line.run for line in result.motion.lines)),
         worst=next((group for group in groups if group.name == worst), None),
         groups=[group for group in groups if group.name != worst],
         channels=[_channel(c, channel_chart(told, c, leg if coupled else None)) for c in told.channels]

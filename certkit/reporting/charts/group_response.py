@@ -65,7 +65,9 @@ def contact(result: ExtractionResult, name: str) -> Drawing | None:
         ("run", [1e3 * result.times[k] for k in kept], run),
         ("model", check_times(check, len(own.force)), own.force),
     ]
-    return lines_chart(lines, f"Leg on {name}", "ms", "N", width=WIDTH, height=HEIGHT)
+    return lines_chart(
+        lines, f"{path.source[0].upper()}{path.source[1:]} on {name}", "ms", "N", width=WIDTH, height=HEIGHT
+    )
 
 
 def contact_path(result: ExtractionResult, name: str) -> PathResult | None:

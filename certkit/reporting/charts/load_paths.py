@@ -28,6 +28,8 @@ BOX, TALL = 34.0, 17.0
 """px: size of a group behind the faces."""
 BROADEST, LEAST = 26.0, 0.004
 """px of the broadest path; share of it below which a path is left out."""
+BULGE = 30.0
+"""px: how far the arc between neighbours stands out."""
 TOLD = 0.02
 """Share of the largest from which a path's number stands on it."""
 GROUND_NAME = "ground"
@@ -87,7 +89,7 @@ def _sketch(result: ExtractionResult, impulses: Mapping[str, float], title: str,
         (p for p in result.paths if abs(impulses.get(p.name, 0.0)) > LEAST * largest),
         key=lambda p: -abs(impulses[p.name]),
     )
-    taken: list[tuple[float, float]] = []
+    taken = [(place.x, place.z) for place in places.values() if place.x > FACE]
     for path in shown:
         value = impulses[path.name]
         source, target = places.get(path.source), places.get(path.target)
@@ -109,7 +111,8 @@ def _sketch(result: ExtractionResult, impulses: Mapping[str, float], title: str,
     leg = leg.replace("<rect", f'<rect fill="{palette.LINE}"', 1)
     wall = f"M{number(GROUND)} {number(TOP)}V{number(HEIGHT - BOTTOM)}"
     drawn += bands + leg + tag("path", d=wall, stroke=palette.MUTED, stroke_width=3, class_="zero")
-    drawn += label(LEG, TOP - 13, "leg", text_anchor="middle", class_="key")
+    hit = next((group.name for group in result.groups if group.kind == "impactor"), "leg")
+    drawn += label(LEG, TOP - 13, hit, text_anchor="middle", class_="key")
     drawn += label(GROUND + 6, TOP - 6, "ground", text_anchor="end", class_="key")
     drawn += "".join(_box(g, places[g.name], z) for g in result.groups if g.name in places) + words
     listed = "; ".join(said)
@@ -179,21 +182,21 @@ def _band(
     source: _Place, target: _Place, breadth: float, *, pulls: bool, name: str, value: float
 ) -> tuple[str, tuple[float, float]]:
     """Draw a path as a curve of its breadth, and return where its number stands; one that pulls is dashed."""
-    if abs(source.x - target.x) < 1:  # neighbours: an arc behind both
-        bulge = 26.0
+    if abs(source.x - target.x) < 1:  # neighbours: an arc in front of both
+        left = source.left - BULGE
         data = (
-            f"M{number(source.right)} {number(source.z)}"
-            f"C{number(source.right + bulge)} {number(source.z)} {number(target.right + bulge)} "
-            f"{number(target.z)} {number(target.right)} {number(target.z)}"
+            f"M{number(source.left)} {number(source.z)}C{number(left)} {number(source.z)} "
+            f"{number(left)} {number(target.z)} {number(target.left)} {number(target.z)}"
         )
-        at = (source.right + 0.75 * bulge, 0.5 * (source.z + target.z))
+        at = (source.left - 0.75 * BULGE, 0.5 * (source.z + target.z))
     else:
         middle = 0.5 * (source.right + target.left)
         data = (
             f"M{number(source.right)} {number(source.z)}C{number(middle)} {number(source.z)} "
             f"{number(middle)} {number(target.z)} {number(target.left)} {number(target.z)}"
         )
-        t = 0.35  # near its beginning, where paths to one group lie apart
+        # Near its beginning, where paths to one group lie apart; to the ground behind all groups.
+        t = 0.72 if target.x >= GROUND else 0.35
         rise = t * t * (3 - 2 * t)
         along = 1.5 * t * (1 - t) ** 2 + 1.5 * t * t * (1 - t) + t**3
         at = (
@@ -222,16 +225,23 @@ def _number(at: tuple[float, float], value: float, taken: list[tuple[float, floa
     while any(abs(x - a) < 30 and abs(y - b) < 11 for a, b in taken):
         y += 11
     taken.append((x, y))
-    return label(
-        x,
-        y,
-        plain(value, 3),
-        text_anchor="middle",
-        class_="mark",
-        font_size=10.5,
-        paint_order="stroke",
-        stroke=palette.PAPER,
-        stroke_width=3,
+    words = plain(value, 3)
+    return _ground(x, y, words) + label(x, y, words, text_anchor="middle", class_="key", font_size=10.5)
+
+
+def _ground(x: float, y: float, words: str) -> str:
+    """Draw a patch of paper on which words centred at x can be read."""
+    width = 6.2 * len(words) + 4
+    return tag(
+        "rect",
+        x=x - width / 2,
+        y=y - 9.5,
+        width=width,
+        height=12.5,
+        rx=3,
+        fill=palette.PAPER,
+        fill_opacity=0.85,
+        class_="patch",
     )
 
 
@@ -248,7 +258,10 @@ def _box(group: GroupResult, place: _Place, z: Scale) -> str:
             fill=palette.INK,
             class_="face-bar",
         )
-        return bar + label(place.left - 5, place.z + 4, group.name, text_anchor="end", class_="key mark")
+        name = label(
+            place.left - 5, place.z + 4, group.name, text_anchor="end", class_="key", font_weight="600"
+        )
+        return bar + _ground(place.left - 6 - 3.1 * len(group.name), place.z + 4, group.name) + name
     frame = tag(
         "rect",
         x=place.left,
