@@ -26,6 +26,7 @@ SCREENS = {
     "suite": Screen("suite/index.html", height=700),
     "study": Screen("study/study.html", scroll="section:has(svg)"),
     "campaign": Screen("campaign/campaign.html", height=1250),
+    "fe-motion": Screen("front/extraction.html", at=20.0, part="section.motion"),
     "fe-moments": Screen("compared/comparison.html", part="section:has(figure)", style=TWO_COLUMNS),
 }
 PAGES = {"certificate-1": 1, "certificate-2": 2}
