@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+from certkit.reporting.language_list import languages
 
 if TYPE_CHECKING:
     from certkit.bench.verification import Verification
+    from certkit.reporting.language import Language
 
 Certificate = Annotated[
     list[Path],
@@ -41,6 +43,12 @@ def verify(
     *,
     trust: Trust = None,
     quick: Quick = False,
+    language: Annotated[
+        str,
+        typer.Option(
+            "--language", metavar="CODE", help=f"Language of what is said: {', '.join(languages())}."
+        ),
+    ] = "en",
     as_json: options.AsJson = False,
     verbose: options.Verbose = False,
 ) -> None:
@@ -55,7 +63,9 @@ def verify(
     from certkit.bench.verify import is_certificate  # noqa: PLC0415  # likewise
     from certkit.bench.verify import verify as check  # noqa: PLC0415  # likewise
     from certkit.errors import UsageError  # noqa: PLC0415  # likewise
-    from certkit.reporting.language import language  # noqa: PLC0415  # likewise
+    from certkit.reporting.language import language as language_of  # noqa: PLC0415  # likewise
+
+    spoken = language_of(language)
 
     certificates = [path for path in certificate if is_certificate(path)] or certificate[:1]
     data = [path for path in certificate if path not in certificates]
@@ -64,40 +74,46 @@ def verify(
         raise UsageError(f"{missing}: there is no such file or folder; check the name")
     found = [check(path, data, trust=trust, quick=quick, others=certificates) for path in certificates]
     if as_json:
-        typer.echo(json.dumps([_plain(each) for each in found], ensure_ascii=False, indent=1))
+        typer.echo(json.dumps([_plain(each, language) for each in found], ensure_ascii=False, indent=1))
     else:
         for each in found:
-            _tell(each, verbose=verbose)
-        typer.echo(language().verified("limits", {}))
+            _tell(each, spoken, verbose=verbose)
+        typer.echo(spoken.verified("limits", {}))
     codes = {EXIT[each.outcome] for each in found}
     raise typer.Exit(next(code for code in (1, 4, 0) if code in codes))
 
 
-def _tell(found: Verification, *, verbose: bool) -> None:
+def _tell(found: Verification, spoken: Language, *, verbose: bool) -> None:
     """Say what does not hold and what was not checked; then the verdict, and what was checked."""
     for check in found.checks:
         if verbose or not check.holds:
-            said = f": {check.said}" if check.said else ""
-            typer.echo(f"{SIGNS[check.outcome]} {check.what}{said}")
+            said = f": {why}" if (why := check.said_in(spoken.code)) else ""
+            typer.echo(f"{SIGNS[check.outcome]} {_named(check.what, spoken)}{said}")
     held = [check for check in found.checks if check.holds]
-    groups = list(dict.fromkeys(check.what.partition(":")[0] for check in held))
-    left = list(dict.fromkeys(check.what for check in found.of("not checked")))
-    verdicts = f", verdict {', '.join(found.verdicts)}" if found.verdicts else ""
-    outcome = f"holds: {len(held)} checks" if found.holds else found.outcome
+    groups = list(dict.fromkeys(_named(check.what.partition(":")[0], spoken) for check in held))
+    left = list(dict.fromkeys(_named(check.what, spoken) for check in found.of("not checked")))
+    t, verdict = spoken.word, ", ".join(map(spoken.verdict, found.verdicts))
+    verdicts = t(", verdict {verdict}", verdict=verdict) if found.verdicts else ""
+    outcome = t("holds: {count} checks", count=len(held)) if found.holds else t(found.outcome)
     if found.outcome == "not checked":
-        outcome = "cannot be said to hold: not everything could be checked"
-    typer.echo(f"checked: {', '.join(groups) or 'nothing'}")
-    typer.echo(f"not checked: {', '.join(left) or 'nothing was left out'}")
+        outcome = t("cannot be said to hold: not everything could be checked")
+    typer.echo(t("checked: {names}", names=", ".join(groups) or t("nothing")))
+    typer.echo(t("not checked: {names}", names=", ".join(left) or t("nothing was left out")))
     typer.echo(f"{found.certificate} ({', '.join(found.ids)}{verdicts}) {outcome}")
 
 
-def _plain(found: Verification) -> dict[str, object]:
+def _named(what: str, spoken: Language) -> str:
+    """Return what was looked at in a language; names of files and criteria stay."""
+    return ": ".join(map(spoken.word, what.split(": ")))
+
+
+def _plain(found: Verification, spoken: str) -> dict[str, object]:
     checks = [
         {
             "what": each.what,
             "outcome": each.outcome,
             "code": each.code,
-            "said": each.said,
+            "said": each.said_in(spoken),
             "asked": each.asked,
         }
         for each in found.checks

@@ -105,9 +105,10 @@ class _Sentence(string.Formatter):
             return self.spoken.word(str(value))
         if isinstance(value, list):
             texts = [self.spoken.sentence(v) if isinstance(v, Reason) else str(v) for v in value]
+            comma = self.spoken.word(", ")
             if format_spec == "and" and len(texts) > 1:
-                return self.spoken.word("{first} and {last}", first=", ".join(texts[:-1]), last=texts[-1])
-            return {"join": "", "each": "; "}.get(format_spec, ", ").join(texts)
+                return self.spoken.word("{first} and {last}", first=comma.join(texts[:-1]), last=texts[-1])
+            return {"join": "", "each": "; "}.get(format_spec, comma).join(texts)
         return str(super().format_field(value, format_spec))
 
 

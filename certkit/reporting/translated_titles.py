@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 _NUMBERED = re.compile(r"(.*\D) (\d+)")
 _LIGAMENT = re.compile(r"([A-Z]{2,4}) (.+)")
+_TARGETS = re.compile(r"Own targets, (.+) of the limits: (.+)")
 _ENERGY = re.compile(r"(.+) (stored|dissipated)")
 
 
@@ -30,6 +31,9 @@ def title_in(text: str, spoken: Language) -> str:
         return f"{found[1]} {title_in(found[2], spoken)}"
     if found := _ENERGY.fullmatch(text):
         return f"{title_in(found[1], spoken)}, {title_in(found[2], spoken)}"
+    if found := _TARGETS.fullmatch(text):
+        scheme = title_in(found[2], spoken)
+        return spoken.word("Own targets, {share} of the limits: {scheme}", share=found[1], scheme=scheme)
     return text
 
 

@@ -10,11 +10,13 @@ from importlib.metadata import version
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
 
 from certkit._version import __version__
 from certkit.bench.pdf_attachments import attachments_of
 from certkit.bench.render_documents import render
 from certkit.bench.verify import verify
+from certkit.cli import app
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.definitions.measures import MEASURES
 from certkit.definitions.study import DESIGNS
@@ -113,9 +115,11 @@ def test_no_sentence_stands_there_for_nothing():
 def test_a_language_has_every_verdict_and_every_reason_with_its_parameters(code: str):
     english, spoken = language(), language(code)
     assert set(spoken.verdicts) == set(english.verdicts)
-    assert set(spoken.reasons) == set(english.reasons)
-    for name, template in spoken.reasons.items():
-        assert fields(template) <= fields(english.reasons[name]), name
+    for kind in ("reasons", "verification"):
+        own, theirs = getattr(spoken, kind), getattr(english, kind)
+        assert set(own) == set(theirs)
+        for name, template in own.items():
+            assert fields(template) <= fields(theirs[name]), name
 
 
 FRENCH = """
@@ -196,7 +200,7 @@ CALLS = {"t", "say", "word", "words_of", "spoken.word", "self.t", "view.t", "wor
 def asked_words() -> set[str]:
     """Return the texts that the code asks the words of a language for."""
     found = set()
-    for path in (PACKAGE / "reporting").rglob("*.py"):
+    for path in (*(PACKAGE / "reporting").rglob("*.py"), PACKAGE / "cli" / "verify_command.py"):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
             if isinstance(node, ast.Call) and node.args:
                 called = ast.unparse(node.func)
@@ -241,6 +245,15 @@ def test_a_report_in_any_language_is_verified(code: str, tmp_path: Path):
     checks = {check.what: check.holds for check in verify(tmp_path).checks}
     assert checks["report.html"]
     assert checks["result.json: words"]
+
+
+@pytest.mark.parametrize(("code", "said"), [("de", "gilt nicht"), ("ja", "無効")])
+def test_verify_tells_what_it_found_in_the_language(code: str, said: str, tmp_path: Path):
+    render(made_here(), tmp_path, "html", language=code)
+    done = CliRunner().invoke(app, ["verify", str(tmp_path), "--quick", "--language", code])
+    assert said in done.stdout
+    assert language(code).verdict("fail") in done.stdout
+    assert done.stdout.splitlines()[-1] == language(code).verification["limits"]
 
 
 @pytest.mark.parametrize("code", ["en", "de"])

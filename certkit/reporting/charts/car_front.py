@@ -12,6 +12,7 @@ from certkit.reporting.charts.car_outline import car_outline
 from certkit.reporting.number_format import plain
 from certkit.reporting.scales import Scale, ticks
 from certkit.reporting.svg import Drawing, label, path, tag
+from certkit.reporting.translated_titles import title_in
 
 if TYPE_CHECKING:
     from certkit.documents.campaign_report import (
@@ -91,7 +92,7 @@ def car_front(view: CampaignView, scheme: JudgedScheme) -> Drawing:
         f"{view.judged_words(row)}"
         for row in rows
     )
-    title = f"{view.t('{car} from ahead', car=car.name)}, {scheme.title}: {said}"
+    title = f"{view.t('{car} from ahead', car=car.name)}, {title_in(scheme.title, view.spoken)}: {said}"
     return Drawing(WIDTH, ground + 46.0, drawn, title, "figure car", "group")
 
 
