@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -56,6 +57,7 @@ def _environment(code: str) -> SandboxedEnvironment:
         "fixed": words.fixed,
         "shown": words.shown,
         "milliseconds": words.milliseconds,
+        "stamp_width": _stamp_width,
         "slug_class": lambda verdict: "v-" + str(verdict).replace(" ", "-"),
     }
     spoken = language(code)
@@ -69,6 +71,12 @@ def _environment(code: str) -> SandboxedEnvironment:
         "confidence_words": words.CONFIDENCE,
     }
     return environment
+
+
+def _stamp_width(verdict: str, word: str) -> int:
+    """Return the millimetres that a verdict's sign and word take on paper: capitals of 19 or 13 points."""
+    across = sum(1.0 if unicodedata.east_asian_width(sign) in "WF" else 0.66 for sign in word.upper())
+    return round(24 + across * 0.353 * (13 if verdict == "not evaluated" else 19))
 
 
 def fill(name: str, *, spoken: str = ENGLISH, **values: Any) -> str:  # noqa: ANN401  # templates take anything
