@@ -75,7 +75,7 @@ def split_drawings(html: str) -> Iterator[tuple[str, bool]]:
 
 
 @dataclass(frozen=True)
-class Pen:
+class Inherited:
     """What an element inherits, beginning with SVG's initial values."""
 
     fill: str = "#000"
@@ -114,7 +114,7 @@ class PdfDrawing:
 
     def draw(self, stream: Any, width: float, height: float, *_: object) -> None:  # noqa: ANN401  # no types
         """Draw it in a width and height, from the upper left corner of the stream's coordinates on."""
-        _Ink(stream, self._labels).svg(self._root, Pen(), width, height)
+        _Ink(stream, self._labels).svg(self._root, Inherited(), width, height)
 
 
 def is_known(element: ET.Element) -> bool:
@@ -140,7 +140,7 @@ class _Ink:
         self._labels = labels
         self._last: dict[str, str] = {}
 
-    def svg(self, element: ET.Element, pen: Pen, width: float, height: float) -> None:
+    def svg(self, element: ET.Element, pen: Inherited, width: float, height: float) -> None:
         """Draw a drawing, or one inside another, in a size."""
         _, _, across, down = map(float, element.get("viewBox", f"0 0 {width} {height}").split())
         scale = min(width / across, height / down)
@@ -153,7 +153,7 @@ class _Ink:
             self._children(element, _changed(pen, element))
             self._last = before
 
-    def _children(self, element: ET.Element, pen: Pen) -> None:
+    def _children(self, element: ET.Element, pen: Inherited) -> None:
         for child in element:
             name = child.tag.removeprefix(SVG)
             if name == "svg":
@@ -165,7 +165,7 @@ class _Ink:
             elif name != "title":
                 self._shape(_PATHS[name](child.attrib), _changed(pen, child))
 
-    def _shape(self, path: str, pen: Pen) -> None:
+    def _shape(self, path: str, pen: Inherited) -> None:
         filled, stroked = pen.fill != "none", pen.stroke != "none" and float(pen.width) > 0
         if filled:
             self._fill(pen)
@@ -177,7 +177,7 @@ class _Ink:
         paint = "B" if filled and stroked else "f" if filled else "S" if stroked else "n"
         self._stream.stream.append(f"{path} {paint}")
 
-    def _text(self, element: ET.Element, pen: Pen) -> None:
+    def _text(self, element: ET.Element, pen: Inherited) -> None:
         words = element.text or ""
         if not words.strip():
             return
@@ -187,7 +187,7 @@ class _Ink:
         place = f"BT 1 0 0 -1 {number(x - _SHIFT[pen.anchor] * label.width)} {number(y)} Tm"
         self._stream.stream += [place, *label.operators, "ET"]
 
-    def _fill(self, pen: Pen) -> None:
+    def _fill(self, pen: Inherited) -> None:
         self._stream.set_alpha(float(pen.fill_opacity))
         self._set("fill", f"{_channels(pen.fill)} rg")
 
@@ -197,7 +197,7 @@ class _Ink:
             self._stream.stream.append(operator)
 
 
-def _changed(pen: Pen, element: ET.Element) -> Pen:
+def _changed(pen: Inherited, element: ET.Element) -> Inherited:
     """Return what an element inherits, with what it says itself."""
     own = {_INHERITED[key]: value for key, value in element.attrib.items() if key in _INHERITED}
     return replace(pen, **own) if own else pen
