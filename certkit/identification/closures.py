@@ -4,8 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 if TYPE_CHECKING:
     from certkit.identification.first_steps import FirstSteps
+
+STILL_PUSHING = 0.1
+"""Share of the largest force of the impactor above which histories end in the middle of the impact."""
 
 
 def closes(steps: FirstSteps, warnings: list[str]) -> bool | None:
@@ -27,6 +32,19 @@ def closes(steps: FirstSteps, warnings: list[str]) -> bool | None:
         for name in one_sided
     ]
     return None if one_sided else True
+
+
+def end_warnings(steps: FirstSteps) -> list[str]:
+    """Warn of histories that end while the impactor still pushes: cut, or not run to the end."""
+    impactors = {name for name, group in steps.case.groups.items() if group.kind == "impactor"}
+    force = sum((f.force for f in steps.flows if f.link.source in impactors), np.zeros_like(steps.grid.time))
+    largest = float(np.max(np.abs(force)))
+    last = float(np.mean(np.abs(force[-max(1, force.size // 50) :])))
+    if not impactors or largest <= 0 or last <= STILL_PUSHING * largest:
+        return []
+    end = 1e3 * float(steps.grid.time[-1])
+    said = f"the histories end at {end:.4g} ms, while the impactor still pushes with {last:.0f} N of"
+    return [f"{said} {largest:.0f} N: are they cut? Rebound and unloading lack"]
 
 
 def closure_warnings(steps: FirstSteps) -> list[str]:

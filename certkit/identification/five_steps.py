@@ -8,7 +8,7 @@ from certkit._version import __version__
 from certkit.documents.extraction import ExtractionResult, MaterialResult
 from certkit.errors import DataError
 from certkit.exchange.fe import FrontData, read_case_data
-from certkit.identification.closures import closes, closure_warnings
+from certkit.identification.closures import closes, closure_warnings, end_warnings
 from certkit.identification.displacement import shortening
 from certkit.identification.extraction_parts import group_result, path_result
 from certkit.identification.first_steps import FirstSteps, first_steps
@@ -66,7 +66,7 @@ def extract(
     notes += noted
     fits, sheets = path_laws(steps, warnings, notes, progress)
     rate_remarks(fits, steps, warnings, notes)
-    warnings += closure_warnings(steps)
+    warnings += [*closure_warnings(steps), *end_warnings(steps)]
     closed = closes(steps, warnings)
     material, digests = _material(case, steps, fits, case_folder or folder, warnings)
     inputs = {**(case_digest or {}), **steps.data.histories.files, **digests}

@@ -38,8 +38,8 @@ class NumericTable:
 def read_table(path: Path, *, text_columns: frozenset[str] = frozenset()) -> NumericTable:
     """Read a CSV file (`.csv` or `.csv.gz`) of numbers.
 
-    Blanks around heads are dropped; a comma at the end of every line is allowed. Columns in `text_columns`
-    are skipped.
+    Blanks around heads are dropped; a comma at the end of every line is allowed. Where the head is parted by
+    semicolons or tabs, a comma in a number is its decimal point. Columns in `text_columns` are skipped.
 
     Raises
     ------
@@ -85,13 +85,19 @@ def _rows(content: bytes, source: str) -> tuple[list[str], list[list[str]]]:
         ) from None
     if content.count(b",") + content.count(b"\n") > MAX_VALUES:
         raise DataError(f"{source}: more than {MAX_VALUES} cells are refused; write fewer histories or rows")
+    first = text.lstrip("\n\r").partition("\n")[0]
+    mark = next((mark for mark in ";\t" if mark in first and "," not in first), ",")
     try:
-        lines = [row for row in csv.reader(io.StringIO(text)) if any(cell.strip() for cell in row)]
+        lines = [
+            row for row in csv.reader(io.StringIO(text), delimiter=mark) if any(cell.strip() for cell in row)
+        ]
     except csv.Error as error:
         raise DataError(f"{source}: no table of numbers ({error}); write the file again") from None
     if len(lines) < 2:
         raise DataError(f"{source}: no rows of numbers below the head; write the file again")
     head, *rows = lines
+    if mark != ",":  # then a comma is a decimal one
+        rows = [[cell.replace(",", ".") for cell in row] for row in rows]
     trailing = not head[-1].strip()
     if trailing:
         head = head[:-1]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from certkit.errors import DataError
 from certkit.exchange.fe.faces import Face, read_faces
 from certkit.exchange.fe.node_motion import FOUND_BY_NAME, NodeMotion, read_node_motion
+from certkit.exchange.fe.plausible_motion import require_plausible
 from certkit.exchange.fe.readers import read_format
 
 if TYPE_CHECKING:
@@ -69,7 +70,9 @@ def read_case_data(section: HistoryFiles, folder: Path) -> FrontData:
     files = {
         names.get(path, Path(path).name): digest for path, digest in {**histories.files, **digests}.items()
     }
-    return FrontData(replace(histories, parts=parts, files=files, notes=notes), faces, motion)
+    histories = replace(histories, parts=parts, files=files, notes=notes)
+    require_plausible(histories)
+    return FrontData(histories, faces, motion)
 
 
 def _motion_file(section: HistoryFiles, folder: Path) -> Path | None:

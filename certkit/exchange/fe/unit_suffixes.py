@@ -17,9 +17,12 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 SUFFIXES = {
-    "ms": ("time", 1e-3), "s": ("time", 1.0), "mm": ("length", 1e-3), "m": ("length", 1.0),
-    "Ns": ("momentum", 1.0), "N": ("force", 1.0), "kN": ("force", 1e3), "J": ("energy", 1.0),
-    "Nm": ("moment", 1.0), "deg": ("angle", 0.017453292519943295), "mps": ("speed", 1.0),
+    "ms": ("time", 1e-3), "s": ("time", 1.0), "mm": ("length", 1e-3), "cm": ("length", 1e-2),
+    "m": ("length", 1.0), "Ns": ("momentum", 1.0), "kNs": ("momentum", 1e3), "kNms": ("momentum", 1.0),
+    "N": ("force", 1.0), "kN": ("force", 1e3), "J": ("energy", 1.0), "kJ": ("energy", 1e3),
+    "mJ": ("energy", 1e-3), "Nm": ("moment", 1.0), "Nmm": ("moment", 1e-3), "kNmm": ("moment", 1.0),
+    "kNm": ("moment", 1e3), "deg": ("angle", 0.017453292519943295), "rad": ("angle", 1.0),
+    "mps": ("speed", 1.0), "mmps": ("speed", 1e-3),
 }  # fmt: skip
 """Unit at the end of a column's name → dimension and factor to SI."""
 

@@ -1,0 +1,79 @@
+"""Histories of a case held against mechanics, whatever format they come from.
+
+A part's centre moves by ∫p/m dt. Where its displacement is another by a factor, goes the other way or has
+another course, units, signs or columns are confused. An impact takes milliseconds, not seconds, and happens
+at the speed of a car.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from certkit.errors import DataError
+
+if TYPE_CHECKING:
+    from certkit.exchange.fe.histories import PartHistories
+
+SHORTEST, LONGEST = 5e-4, 5.0
+"""s: what histories of an impact may span."""
+
+FASTEST = 300.0
+"""m/s: no part of a car front or a leg moves so fast as a whole."""
+
+FACTOR = 2.0
+"""By how much the largest displacements may differ: a crushed foam's mass and centre drift."""
+
+LEAST_CORRELATION = 0.7
+
+STILL = 5e-3
+"""Share of the largest displacement of all parts below which a part's motion is not judged."""
+
+
+def require_plausible(histories: PartHistories) -> None:
+    """Refuse histories that contradict themselves.
+
+    Raises
+    ------
+    DataError
+        With the part, both figures and what to look at.
+    """
+    span = float(histories.time[-1] - histories.time[0])
+    if not SHORTEST <= span <= LONGEST:
+        raise DataError(
+            f"{histories.source}: the histories last {span:.4g} s, an impact some hundredths of one; correct "
+            "`units`, or the unit of the time column"
+        )
+    moved = {
+        name: part.displacement - part.displacement[0]
+        for name, part in histories.parts.items()
+        if part.displacement is not None and part.momentum is not None and part.mass is not None
+    }
+    by_momentum = {}
+    for name in moved:
+        part = histories.parts[name]
+        if part.momentum is None or part.mass is None:
+            continue
+        speed = part.momentum / part.mass
+        fastest = float(np.abs(speed).max())
+        if fastest > FASTEST:
+            raise DataError(
+                f"{histories.source}: part `{name}` moves at up to {fastest:.0f} m/s by its momentum and "
+                "mass; correct `units`, the unit of its column, or its mass"
+            )
+        steps = 0.5 * (speed[1:] + speed[:-1]) * np.diff(histories.time)
+        by_momentum[name] = np.concatenate([[0.0], np.cumsum(steps)])
+    largest = max((float(np.abs(x).max()) for x in (*moved.values(), *by_momentum.values())), default=0.0)
+    for name, found in moved.items():
+        told, wanted = float(np.abs(found).max()), float(np.abs(by_momentum[name]).max())
+        if max(told, wanted) < STILL * largest or largest <= 0:
+            continue
+        course = float(np.corrcoef(found, by_momentum[name])[0, 1]) if min(told, wanted) > 0 else 0.0
+        if course < LEAST_CORRELATION or not 1 / FACTOR <= told / wanted <= FACTOR:
+            other = ", on another course" if course < LEAST_CORRELATION else ""
+            raise DataError(
+                f"{histories.source}: part `{name}` moves by {1e3 * told:.4g} mm, its momentum over its mass "
+                f"gives {1e3 * wanted:.4g} mm{other}; check the units and signs of its columns, `units`, and "
+                "its mass"
+            )
