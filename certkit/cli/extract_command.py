@@ -111,6 +111,8 @@ def extract(
 
 def _sentence(check: SelfCheck) -> str:
     """Say what a self-check found, the worst group first."""
+    from certkit.reporting.channel_names import channel_words  # noqa: PLC0415  # not for the help
+
     said = []
     if check.worst_percent is not None:
         worst = next(group for group in check.groups if group.rms_percent == check.worst_percent)
@@ -129,9 +131,9 @@ def _sentence(check: SelfCheck) -> str:
         said.append(f"impulse on another group {check.wrong_group_percent:.1f} %")
     if check.channels:
         channel = check.channels[0]
-        said.append(f"worst curve {channel.name}, {channel.rms_percent:.0f} % rms")
+        said.append(f"worst curve {channel_words(channel.name)}, {channel.rms_percent:.0f} % rms")
         channel = max(check.channels, key=lambda c: abs(c.error_percent))
-        said.append(f"worst peak {channel.name}, {channel.error_percent:+.1f} %")
+        said.append(f"worst peak {channel_words(channel.name)}, {channel.error_percent:+.1f} %")
     return f"{check.title}: {'; '.join(said)}"
 
 

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from certkit.documents.consistent_lists import check_lengths
+from certkit.documents.consistent_lists import check_lengths, check_sizes
 from certkit.documents.output_document import Part
 from certkit.documents.rounding import Figures, LineFrames, Rows
 
@@ -31,26 +31,40 @@ class MovingLine(Part):
 class FrontMotion(Part):
     """Lines of run and model at the same instants, s from the run's start."""
 
-    times: Figures
-    lines: Annotated[tuple[MovingLine, ...], Field(description="Of the leg, the faces and what is inside.")]
+    times: Annotated[Figures, Field(min_length=1)]
+    lines: Annotated[
+        tuple[MovingLine, ...], Field(min_length=1, description="Of the leg, the faces and what is inside.")
+    ]
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
         """Refuse lines that are not given at each instant, or change their number of points."""
         for line in self.lines:
-            for side, frames, moments in (
-                ("run", line.run, line.run_moments),
-                ("model", line.model, line.model_moments),
-            ):
-                if frames:
-                    check_lengths(len(self.times), {f"{line.name}: {side}": frames}, "times")
-                    points = len(frames[0])
-                    check_lengths(
-                        points, {f"{line.name}: {side}.{f}": p for f, p in enumerate(frames)}, "points"
-                    )
-                if moments:
-                    check_lengths(len(frames), {f"{line.name}: {side}_moments": moments}, "times")
-                    pieces = max(len(frames[0]) - 1, 0) if frames else 0
-                    rows = {f"{line.name}: {side}_moments.{f}": row for f, row in enumerate(moments)}
-                    check_lengths(pieces, rows, "pieces")
+            _check_side(f"{line.name}: run", line.run, line.run_moments, len(self.times))
+            _check_side(f"{line.name}: model", line.model, line.model_moments, len(self.times))
         return self
+
+
+def _check_side(
+    name: str, frames: list[list[tuple[float, float]]], moments: list[list[float]], times: int
+) -> None:
+    """Refuse a side of a line that cannot be drawn.
+
+    Raises
+    ------
+    ValueError
+        With the frame that does not fit.
+    """
+    if not frames:
+        check_lengths(0, {f"{name}_moments": moments}, "times")
+        return
+    check_lengths(times, {name: frames}, "times")
+    points = len(frames[0])
+    if points < 2:
+        raise ValueError(f"`{name}` has {points} points; a line has two or more: make the document again")
+    check_lengths(points, {f"{name}.{f}": frame for f, frame in enumerate(frames)}, "points")
+    check_sizes(name, [value for frame in frames for point in frame for value in point])
+    if moments:
+        check_lengths(times, {f"{name}_moments": moments}, "times")
+        check_lengths(points - 1, {f"{name}_moments.{f}": row for f, row in enumerate(moments)}, "pieces")
+        check_sizes(f"{name}_moments", [value for row in moments for value in row])

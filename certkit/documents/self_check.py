@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Self
+
+from pydantic import model_validator
+
+from certkit.documents.consistent_lists import check_lengths
 from certkit.documents.output_document import Part
 from certkit.documents.rounding import Figure, FigureTuple
 
@@ -43,6 +48,12 @@ class ChannelCheck(Part):
     start: Figure | None = None
     interval: Figure | None = None
 
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        """Refuse curves of run and model that are not on one axis."""
+        check_lengths(len(self.values), {f"{self.name}: run_values": self.run_values}, "values")
+        return self
+
 
 class PathCheck(Part):
     """A load path in the coupled run, on the check's axis: shortening (m) and force (N), their largest.
@@ -62,6 +73,12 @@ class PathCheck(Part):
     run_absorbed: Figure
     shortening: FigureTuple
     force: FigureTuple
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        """Refuse forces that do not belong to the shortenings."""
+        check_lengths(len(self.shortening), {f"{self.name}: force": self.force}, "shortenings")
+        return self
 
 
 class SelfCheck(Part):

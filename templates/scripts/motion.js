@@ -160,9 +160,11 @@ function setUpMotion(report, data, shared) {
   let running = 0;
   let before = 0;
   let reached = first;
+  let shown = first;
   function tick(now) {
     if (!running) return;
     const rate = ((last - first) / (SECONDS * 1000)) * Number(speed.value);
+    if (shared.time !== shown) reached = shared.time; // somebody moved it meanwhile
     reached += before ? (now - before) * rate : 0;
     before = now;
     if (reached >= last) {
@@ -172,6 +174,7 @@ function setUpMotion(report, data, shared) {
     }
     // Who asked for less motion is shown a few instants one after the other.
     if (!steady.matches || reached - shared.time >= (last - first) / STILLS) shared.goTo(reached);
+    shown = shared.time;
     running = requestAnimationFrame(tick);
   }
   function stop() {
@@ -186,7 +189,7 @@ function setUpMotion(report, data, shared) {
     }
     if (shared.time >= last - 1e-9) shared.goTo(first);
     before = 0;
-    reached = shared.time;
+    reached = shown = shared.time;
     play.textContent = "❚❚ Pause";
     running = requestAnimationFrame(tick);
   });

@@ -47,6 +47,29 @@ function setUpLinks(report, data, shared) {
   }
 }
 
+// Charts over time that were drawn beforehand: their axis is read from two of its marks.
+function setUpTimed(report, shared) {
+  for (const svg of report.querySelectorAll("[data-timed] svg")) {
+    const marks = [...svg.querySelectorAll(".xticks text")].map((mark) => [Number(mark.getAttribute("x")), Number(mark.textContent.replace("−", "-"))]);
+    if (marks.length < 2) continue;
+    const [[left, first], [right, last]] = [marks[0], marks[marks.length - 1]];
+    const scale = (right - left) / (last - first);
+    const [, , width, height] = svg.getAttribute("viewBox").split(" ").map(Number);
+    const line = element("line", { class: "cursor", y1: 30, y2: height - 22 }, svg);
+    shared.onTime.push(() => {
+      const x = left + (shared.time - first) * scale;
+      line.setAttribute("x1", x);
+      line.setAttribute("x2", x);
+      line.style.visibility = x < 45 || x > width - 11 ? "hidden" : "visible";
+    });
+    svg.style.cursor = "crosshair";
+    svg.addEventListener("click", (event) => {
+      const box = svg.getBoundingClientRect();
+      shared.goTo(first + (((event.clientX - box.left) * width) / box.width - left) / scale);
+    });
+  }
+}
+
 for (const report of document.querySelectorAll("[data-report]")) {
   const source = report.querySelector("script[data-result]");
   if (!source) continue;
@@ -60,6 +83,7 @@ for (const report of document.querySelectorAll("[data-report]")) {
   setUpCurves(report, data, shared);
   setUpMotion(report, data, shared);
   setUpLinks(report, data, shared);
+  setUpTimed(report, shared);
   shared.whole();
   shared.goTo(shared.time);
 }

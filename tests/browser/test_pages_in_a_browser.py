@@ -232,3 +232,19 @@ def test_who_asks_for_less_motion_sees_a_few_instants(browser: Browser, folder: 
     page.wait_for_function("() => document.querySelector('[data-play]').textContent.includes('Play')")
     assert 3 <= page.evaluate("() => window.seen.size") <= 10
     page.context.close()
+
+
+def test_a_click_on_a_channel_of_run_and_model_moves_the_picture_there(
+    browser: Browser, folder: Path
+) -> None:
+    page = opened(browser, folder, "extraction").page
+    chart = page.locator("[data-timed] svg", has_text="Tibia moment 1").first
+    middle = chart.evaluate("s => s.getBoundingClientRect().width / 2")
+    chart.click(position={"x": middle, "y": 60})
+    time = float(page.locator("[data-time]").inner_text())
+    assert time == pytest.approx(20.0, abs=1.0)
+    cursors = page.locator("[data-timed] .cursor")
+    places = {cursors.nth(k).get_attribute("x1") for k in range(cursors.count())}
+    assert cursors.count() > 5
+    assert max(float(x or 0) for x in places) == pytest.approx(180, abs=8)
+    page.context.close()

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.grid import together
-from certkit.reporting.coupled_check import check_of
+from certkit.reporting.coupled_check import check_of, worst_group
 from certkit.reporting.number_format import plain
 from certkit.reporting.scales import Scale, ticks
 from certkit.reporting.svg import Drawing, label, number, tag
@@ -51,7 +51,7 @@ def draw(result: ExtractionResult, names: Sequence[str]) -> Drawing | None:
 
 def sketches(result: ExtractionResult) -> list[Drawing]:
     """Return the sketch of the run and, where there is a coupled run, that of the model, at one scale."""
-    if not any(group.position is not None for group in result.groups):
+    if not result.times or not any(group.position is not None for group in result.groups):
         return []
     check = check_of(result, "coupled")
     until = check.until if check else result.times[-1]
@@ -114,7 +114,9 @@ def _sketch(result: ExtractionResult, impulses: Mapping[str, float], title: str,
     hit = next((group.name for group in result.groups if group.kind == "impactor"), "leg")
     drawn += label(LEG, TOP - 13, hit, text_anchor="middle", class_="key")
     drawn += label(GROUND + 6, TOP - 6, "ground", text_anchor="end", class_="key")
-    drawn += "".join(_box(g, places[g.name], z) for g in result.groups if g.name in places) + words
+    worst = worst_group(result)
+    boxes = (_box(g, places[g.name], z, worst=g.name == worst) for g in result.groups if g.name in places)
+    drawn += "".join(boxes) + words
     listed = "; ".join(said)
     return Drawing(WIDTH, HEIGHT, drawn, f"{title}: load paths with their impulses in N·s: {listed}")
 
@@ -245,7 +247,8 @@ def _ground(x: float, y: float, words: str) -> str:
     )
 
 
-def _box(group: GroupResult, place: _Place, z: Scale) -> str:
+def _box(group: GroupResult, place: _Place, z: Scale, *, worst: bool) -> str:
+    colour = palette.VERDICT["fail"] if worst else palette.INK
     if group.position is not None:
         top, bottom = z(group.high or 0.0), z(group.low or 0.0)
         bar = tag(
@@ -255,11 +258,17 @@ def _box(group: GroupResult, place: _Place, z: Scale) -> str:
             width=10,
             height=max(bottom - top - 3, 4),
             rx=2,
-            fill=palette.INK,
-            class_="face-bar",
+            fill=colour,
+            class_="worst-group" if worst else "face-bar",
         )
         name = label(
-            place.left - 5, place.z + 4, group.name, text_anchor="end", class_="key", font_weight="600"
+            place.left - 5,
+            place.z + 4,
+            group.name,
+            text_anchor="end",
+            class_="worst-group" if worst else "key",
+            font_weight="600",
+            fill=colour,
         )
         return bar + _ground(place.left - 6 - 3.1 * len(group.name), place.z + 4, group.name) + name
     frame = tag(
@@ -270,8 +279,8 @@ def _box(group: GroupResult, place: _Place, z: Scale) -> str:
         height=TALL,
         rx=4,
         fill=palette.PAPER,
-        stroke=palette.INK,
-        stroke_width=1.2,
-        class_="group-box",
+        stroke=colour,
+        stroke_width=2 if worst else 1.2,
+        class_="group-box worst-box" if worst else "group-box",
     )
     return frame + label(place.x, place.z + 4, group.name, text_anchor="middle", class_="key")
