@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numba import njit
 
+from certkit.mechanics.solver.pymunk_space import ITERATIONS
+
 if TYPE_CHECKING:
     from numpy.typing import NDArray
     from support.chain_oracle import Chain
 
-ITERATIONS = 5
 CLOSING = 691.0  # 1/s: as pymunk closes gaps with the error bias that our solver gives it
 
 

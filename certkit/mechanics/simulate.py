@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 
 STEP = 2e-5
 """s: step halving changes no peak by more than 0.1 % at it."""
+REST_STEP = 4e-5
+"""s, where only states at rest count: they are the same at any step that is stable."""
 UNTIL = 0.2
 """s after contact, where a procedure names no end."""
 TAIL = 0.002
@@ -99,7 +101,7 @@ def build(
         segments = fixture.change_segments(segments)
     flesh = specimen.flesh == "fitted"
     assembly = Assembly()
-    damping = max((fixture.mass_damping for fixture in fixtures), default=0.0)
+    damping = max((fixture.mass_damping(segments) for fixture in fixtures), default=0.0)
     leg = add_leg(assembly, legform, segments, flesh=flesh, damping=damping)
     cover = float(legform.flesh.thickness) if flesh else 0.0
     rig = RigAssembly(
@@ -188,7 +190,8 @@ def simulate(
 def _time_step(procedure: Procedure, rig: RigAssembly) -> float:
     if procedure.run.time_step is not None:
         return float(procedure.run.time_step)
-    return stable_step(STEP, rig.legform, rig.leg.segments, flesh=rig.cover > 0)
+    wanted = REST_STEP if rig.load_levels > 0 else STEP
+    return stable_step(wanted, rig.legform, rig.leg.segments, flesh=rig.cover > 0)
 
 
 def _plan(procedure: Procedure, rig: RigAssembly, step: float, iterations: int, sample: int | None) -> Plan:
