@@ -1,4 +1,4 @@
-"""A static test records states at rest: waiting longer, or with other damping, changes nothing that counts."""
+"""A static test records states at rest: longer waiting or other damping changes nothing that counts."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def test_a_level_is_held_until_all_is_at_rest(procedure: str, monkeypatch: pytes
     setup = prepare(procedure)
     reported = simulate(setup.procedure, setup.legform).recording
     for name in ("ON_BONE", "ON_KNEE"):
-        monkeypatch.setattr(loading_ram, name, Relaxation(0.010, 0.200, 300.0))
+        monkeypatch.setattr(loading_ram, name, Relaxation(0.010, 0.120, 300.0))
     patient = simulate(setup.procedure, setup.legform, time_step=2e-5).recording
     for name, channel in reported.channels.items():
         there = patient[name].values
