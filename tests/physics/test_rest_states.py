@@ -7,7 +7,7 @@ import pytest
 
 from certkit.bench.setup import prepare
 from certkit.definitions.fixtures import loading_ram
-from certkit.definitions.fixtures.loading_ram import Relaxation
+from certkit.definitions.fixtures.loading_ram import LevelPace
 from certkit.mechanics import simulate
 
 
@@ -16,7 +16,7 @@ def test_a_level_is_held_until_all_is_at_rest(procedure: str, monkeypatch: pytes
     setup = prepare(procedure)
     reported = simulate(setup.procedure, setup.legform).recording
     for name in ("ON_BONE", "ON_KNEE"):
-        monkeypatch.setattr(loading_ram, name, Relaxation(0.010, 0.120, 300.0))
+        monkeypatch.setattr(loading_ram, name, LevelPace(0.010, 0.120, 300.0))
     patient = simulate(setup.procedure, setup.legform, time_step=2e-5).recording
     for name, channel in reported.channels.items():
         there = patient[name].values
