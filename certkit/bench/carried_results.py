@@ -30,7 +30,7 @@ def carried_results(path: str | Path, *, unverified: bool = False) -> Iterator[t
         When it carries none, is damaged, or was changed.
     """
     given = Path(path)
-    file = given / Result.file_name if given.is_dir() else given
+    file = Result.file_at(given)
     if file.suffix.lower() == ".pdf":
         yield from _attached(file, unverified=unverified)
         return
@@ -41,10 +41,23 @@ def carried_results(path: str | Path, *, unverified: bool = False) -> Iterator[t
 
 
 def _attached(file: Path, *, unverified: bool) -> Iterator[tuple[str, Result]]:
-    attached = attachments_of(file)
-    names = [name for name in sorted(attached.files) if name.endswith(Result.file_name)]
-    if not names:
+    attached = attachments_of(file).results
+    if not attached:
         raise DataError(f"{file}: no result.json is attached; name a certificate that certkit wrote")
-    for name in names:
+    for name, content in attached.items():
         place = f"{file}:{name}"
-        yield place, trusted(Result.from_json(attached.files[name], place), place, unverified=unverified)
+        yield place, trusted(Result.from_json(content, place), place, unverified=unverified)
+
+
+def result_at(path: Path, *, unverified: bool = False) -> Result | None:
+    """Return the result that a path names by its file or its folder; None where it names measured data.
+
+    Raises
+    ------
+    DataError
+        When it is damaged, or was changed.
+    """
+    file = Result.file_at(path)
+    if file.suffix.lower() != ".json" or not file.is_file():
+        return None
+    return trusted(Result.read(file), str(file), unverified=unverified)

@@ -83,7 +83,7 @@ def _check_given(serial: str, tests: Sequence[Path], *, exact: bool) -> None:
     """Refuse all tests where one is of another legform or was not measured, before any is booked."""
     faults = []
     for path in tests:
-        result = Result.read(path / Result.file_name if path.is_dir() else path)
+        result = Result.read(Result.file_at(path))  # the logbook checks its id
         item = (result.laboratory or {}).get("item")
         said = str(item.get("serial", "")) if isinstance(item, dict) else ""
         if result.kind != MEASURED:

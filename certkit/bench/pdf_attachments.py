@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any
 
+from certkit.documents.result import Result
 from certkit.errors import DataError
 from certkit.files.bounded import read_bounded
 from certkit.reporting.attachments import MANIFEST, SCHEMA
@@ -53,6 +54,16 @@ class Attached:
     language: str = ENGLISH
     title: str | None = None
     certificates: tuple[str, ...] = ()
+
+    @property
+    def results(self) -> dict[str, bytes]:
+        """Return the results among the files, by name: `result.json`, or several with a prefix before it."""
+        name = Result.file_name
+        return {
+            each: content
+            for each, content in sorted(self.files.items())
+            if each == name or each.endswith(f"-{name}")
+        }
 
 
 def attachments_of(path: Path, content: bytes | None = None) -> Attached:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from typing import TYPE_CHECKING
 
+from certkit.bench.carried_results import result_at
 from certkit.bench.grade_measurement import grade
 from certkit.bench.regrade import embedded_shelf
 from certkit.bench.run_simulation import run
@@ -13,7 +14,7 @@ from certkit.definitions.loading.channel_tables import legform_channels
 from certkit.definitions.units import UNITS, dimensions, parse_quantity
 from certkit.documents.campaign_report import PointValue, SourceReport
 from certkit.documents.result import InputFile, Result
-from certkit.documents.unverified import MARK, is_marked, trusted
+from certkit.documents.unverified import MARK, is_marked
 from certkit.documents.verdicts import worst
 from certkit.errors import DataError, DefinitionError, InputError, RunError
 from certkit.reasons import Reason
@@ -100,10 +101,9 @@ def _lumped(source: PointSource, files: CampaignFiles) -> LoadedSource:
 
 def _from_file(source: PointSource, files: CampaignFiles) -> LoadedSource:
     path = files.folder / (source.file or "")
-    document = path / "result.json" if path.is_dir() else path
-    if document.suffix.lower() == ".json" and document.is_file():
-        result = trusted(Result.read(document), str(document), unverified=files.unverified)
-    else:
+    result = result_at(path, unverified=files.unverified)
+    document = path if result is None else Result.file_at(path)
+    if result is None:
         result = grade(
             _named(source.procedure or files.campaign.procedure, files),
             path,
@@ -111,7 +111,6 @@ def _from_file(source: PointSource, files: CampaignFiles) -> LoadedSource:
             mapping=None if source.mapping is None else files.folder / source.mapping,
             library=files.library,
         )
-        document = path
     measured = result.kind == "test evaluation"
     if measured != (source.measured is not None):
         said = "finite elements" if measured else "measured"

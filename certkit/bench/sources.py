@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from certkit.bench.carried_results import result_at
 from certkit.bench.regrade import embedded_shelf
 from certkit.definitions.loading.channel_tables import known_channels, legform_channels
 from certkit.documents.channel_curves import recording_of
 from certkit.documents.result import Result
-from certkit.documents.unverified import MARK, is_marked, trusted
+from certkit.documents.unverified import MARK, is_marked
 from certkit.exchange.read import read_recording
 
 if TYPE_CHECKING:
@@ -61,9 +62,8 @@ def load_source(
         written = source.as_written()
         return Source(written.procedure, _recording(written), written)
     path = Path(source)
-    document = path / "result.json" if path.is_dir() else path
-    if document.suffix.lower() == ".json" and document.is_file():
-        result = trusted(Result.read(document), str(document), unverified=unverified)
+    result = result_at(path, unverified=unverified)
+    if result is not None:
         label = f"{_label(path)} ({MARK})" if is_marked(result) else _label(path)
         return Source(label, _recording(result), result)
     read = read_recording(path, mapping, lenient=lenient, tables=known_channels(library))
@@ -79,4 +79,4 @@ def _recording(result: Result) -> Recording:
 
 def _label(path: Path) -> str:
     """Name a source by its folder where its own name says nothing."""
-    return path.parent.name or path.name if path.name == "result.json" else path.name
+    return path.parent.name or path.name if path.name == Result.file_name else path.name

@@ -158,10 +158,8 @@ def _pdf(path: Path, wanted: Wanted, *, content_too: bool = True) -> Verificatio
     results: list[Result] = []
     if LegformCertificate.file_name in attached.files:
         return _legform_pdf(path, content, attached, checks, wanted)
-    for name, held in sorted(attached.files.items()):
-        if name != "result.json" and not name.endswith("-result.json"):
-            continue
-        prefix = name.removesuffix("result.json")
+    for name, held in attached.results.items():
+        prefix = name.removesuffix(Result.file_name)
         result = _result(held, name, checks)
         results.append(result)
         checks += document_checks(name, held, result, bytes_matter=False)

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+from certkit.cli import options  # typer reads the annotations
 
 Car = Annotated[
     Path, typer.Argument(metavar="CAR.yaml", help="The campaign: car, schemes, points with their sources.")
@@ -20,9 +20,7 @@ def campaign(
     out: options.Out = None,
     formats: Annotated[
         str,
-        typer.Option(
-            "--format", help="Separated by commas: html, csv, junit, xlsx, pptx. The JSON is always written."
-        ),
+        typer.Option("--format", help=options.reports_help("certkit-campaign/1")),
     ] = "html,csv,junit",
     language: options.Language = "en",
     force: options.Force = False,

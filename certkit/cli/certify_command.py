@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+from certkit.cli import options  # typer reads the annotations
 
 Serial = Annotated[str, typer.Argument(metavar="SERIAL", help="Serial number of the legform.")]
 Tests = Annotated[
@@ -52,7 +52,7 @@ def certify(
         Path | None, typer.Option("--out", help="Folder.", show_default="runs/certificate-SERIAL")
     ] = None,
     formats: Annotated[
-        str, typer.Option("--format", help="Reports to write, separated by commas: html, pdf.")
+        str, typer.Option("--format", help=options.reports_help("certkit-certificate/1"))
     ] = "html,pdf",
     language: options.Language = "en",
     sign: options.Sign = None,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+from certkit.cli import options  # typer reads the annotations
 
 if TYPE_CHECKING:
     from certkit.documents.result import Verdict
@@ -53,9 +53,7 @@ def compare(
     out: CompareOut = None,
     formats: Annotated[
         str,
-        typer.Option(
-            "--format", help="`html`, `pdf`, `xlsx`, `pptx`, or `none`. The JSON is always written."
-        ),
+        typer.Option("--format", help=options.reports_help("certkit-comparison/1")),
     ] = "html",
     language: options.Language = "en",
     force: options.Force = False,

@@ -8,17 +8,19 @@ from typing import Annotated
 import typer
 
 from certkit.cli import completion
+from certkit.reporting.document_reports import REPORTS
 from certkit.reporting.language_list import languages
-from certkit.reporting.report_format import FORMATS
 
 Out = Annotated[Path | None, typer.Option("--out", help="Folder for the results.", show_default="runs/NAME")]
-Formats = Annotated[
-    str,
-    typer.Option(
-        "--format",
-        help=f"Reports to write, separated by commas: {', '.join(FORMATS)}. The JSON is always written.",
-    ),
-]
+
+
+def reports_help(schema: str) -> str:
+    """Return the help of `--format` for a kind of document, by its schema: the formats that there are."""
+    known = ", ".join(REPORTS[schema].formats)
+    return f"Reports to write, separated by commas: {known}; or none. The JSON is always written."
+
+
+Formats = Annotated[str, typer.Option("--format", help=reports_help("certkit-result/1"))]
 Overrides = Annotated[
     list[str] | None,
     typer.Option(

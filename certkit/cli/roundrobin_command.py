@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+from certkit.cli import options  # typer reads the annotations
 
 Certificates = Annotated[
     list[Path],
@@ -29,7 +29,7 @@ def roundrobin(
         Path | None, typer.Option("--out", help="Folder for the results.", show_default="runs/round-robin")
     ] = None,
     formats: Annotated[
-        str, typer.Option("--format", help="`html`, or `none`. The JSON is always written.")
+        str, typer.Option("--format", help=options.reports_help("certkit-round-robin/1"))
     ] = "html",
     force: options.Force = False,
     unverified: options.Unverified = False,

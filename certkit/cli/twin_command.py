@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from certkit.cli import options  # noqa: TC001  # typer reads the annotations
+from certkit.cli import options  # typer reads the annotations
 
 Recordings = Annotated[
     list[Path],
@@ -32,9 +32,7 @@ def twin(
     out: Annotated[
         Path | None, typer.Option("--out", help="Folder for the results.", show_default="runs/twin")
     ] = None,
-    formats: Annotated[
-        str, typer.Option("--format", help="`html`, or `none`. The JSON is always written.")
-    ] = "html",
+    formats: Annotated[str, typer.Option("--format", help=options.reports_help("certkit-twin/1"))] = "html",
     force: options.Force = False,
     library: options.Libraries = None,
     as_json: options.AsJson = False,

@@ -68,14 +68,18 @@ class DesignKind:
     by_probability : bool
         Whether its runs are spread by the parameters' distributions: it needs `runs`, parameters may vary
         together, and the shares of runs inside the corridors are probabilities.
+    from_middle : bool
+        Whether the two values beside an effect are those at the lowest and at the highest setting, against
+        the middle; else they bound its 95 % interval.
     """
 
     by_probability: bool = False
+    from_middle: bool = False
 
 
 DESIGNS = MappingProxyType(
     {
-        "one at a time": DesignKind(),
+        "one at a time": DesignKind(from_middle=True),
         "full factorial": DesignKind(),
         "latin hypercube": DesignKind(by_probability=True),
         "sobol sequence": DesignKind(by_probability=True),

@@ -124,6 +124,11 @@ class OutputDocument(Part):
             raise DataError(_refusal(error, name, cls)) from error
 
     @classmethod
+    def file_at(cls, path: Path) -> Path:
+        """Return the file that a path names: itself, or where the document stands in a folder."""
+        return path / cls.file_name if path.is_dir() else path
+
+    @classmethod
     def read(cls, path: Path) -> Self:
         """Read the document from a file.
 

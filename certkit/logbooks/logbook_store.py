@@ -121,7 +121,7 @@ def add(logbook: Logbook, documents: Iterable[Path]) -> tuple[list[LogbookEntry]
         When a document is damaged, was changed, was not measured, names no legform and day, or grades a
         recording that the logbook has already under another id.
     """
-    read = [_read(path / "result.json" if path.is_dir() else path) for path in documents]
+    read = [_read(Result.file_at(path)) for path in documents]
     logbook.documents.mkdir(parents=True, exist_ok=True)
     with _locked(logbook):
         remove_leftovers(logbook.documents)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from certkit.definitions.study import DESIGNS
 from certkit.files import write_whole
 from certkit.reporting.charts.study_charts import dots, tornado
 from certkit.reporting.language import ENGLISH, language
@@ -56,6 +57,7 @@ def study_page(document: StudyReport, spoken: str = ENGLISH) -> str:
         document.title,
         spoken=spoken,
         study=document,
+        from_middle=document.design in DESIGNS and DESIGNS[document.design].from_middle,
         sections=[_section(document, name, language(spoken).word) for name in document.outputs],
         factors=[_range(factor, language(spoken).word) for factor in document.factors],
     )
