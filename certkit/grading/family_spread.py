@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from typing import TYPE_CHECKING
 
 from certkit.documents.list_by_id import ListById
@@ -96,9 +97,7 @@ def _failing(number: int, result: Result) -> Reason:
 
 
 def _remark(results: Sequence[Result]) -> Reason:
-    counts: dict[str, int] = {}
-    for result in results:
-        counts[result.verdict] = counts.get(result.verdict, 0) + 1
+    counts = Counter(result.verdict for result in results)
     verdicts = [
         Reason.of("count-of-verdict", count=count, verdict=verdict)
         for verdict, count in sorted(counts.items())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING
 
 from certkit.reasons import Reason
@@ -161,9 +162,7 @@ def _compared(comparison: Comparison) -> Reason:
 
 
 def _model(parameters: Sequence[Parameter]) -> Reason:
-    counts: dict[str, int] = {}
-    for parameter in parameters:
-        counts[parameter.confidence] = counts.get(parameter.confidence, 0) + 1
+    counts = Counter(parameter.confidence for parameter in parameters)
     shares = [
         Reason.of("count-of-confidence", count=count, confidence=confidence)
         for confidence, count in sorted(counts.items())

@@ -8,35 +8,17 @@ from certkit._version import __version__
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.lines import lines_chart
 from certkit.reporting.language import ENGLISH, language, worded
-from certkit.reporting.named_files import Files, write_named
 from certkit.reporting.static_page import static_page
 from certkit.reporting.templating import fill, text
 from certkit.reporting.translated_titles import title_in
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
-    from pathlib import Path
-
     from certkit.documents.comparison import ComparisonDocument, Overlay
     from certkit.reporting.language import Language
     from certkit.reporting.svg import Drawing
 
 
 COMPARED = "{other} compared with {reference}"
-
-COMPARISON_FILES: Files = {
-    "xlsx": ("comparison.xlsx", "certkit.reporting.comparison_xlsx:comparison_xlsx"),
-    "pptx": ("comparison.pptx", "certkit.reporting.comparison_pptx:comparison_pptx"),
-    "html": ("comparison.html", "certkit.reporting.comparison_report:comparison_page"),
-    "pdf": ("comparison.pdf", "certkit.reporting.comparison_report:comparison_pdf"),
-}
-
-
-def render_comparison(
-    document: ComparisonDocument, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
-) -> list[Path]:
-    """Write the wanted reports, and return what was written."""
-    return write_named(document, out, formats, COMPARISON_FILES, spoken)
 
 
 def comparison_page(document: ComparisonDocument, spoken: str = ENGLISH) -> str:

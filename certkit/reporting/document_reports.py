@@ -1,7 +1,8 @@
 """The reports of each kind of document: which formats there are, and what renders them.
 
-A new kind is one entry here; the function takes the document, a folder and formats, and returns the files
-it wrote.
+A new kind is one entry here: the file of each format, and the function that makes its content of the document
+(and the language, where people read it). A kind whose files are not one each names a writer instead, which
+takes the document, a folder and formats, and returns the files it wrote.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from certkit.reporting.language import ENGLISH
 from certkit.reporting.report_format import FORMATS
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
     from pathlib import Path
 
     from certkit.documents.output_document import OutputDocument
@@ -28,51 +29,74 @@ class DocumentReport:
 
     Parameters
     ----------
-    writer : str
-        `module:function`, imported when it is needed.
-    formats : tuple of str
-        All formats that there are.
+    formats : mapping of str to (str, str)
+        All formats that there are: the file of each, and `module:function`, imported when it is needed, that
+        makes its content. Empty texts where the writer knows.
     usual : tuple of str
         Those written when none is named.
     takes_paper : bool
-        Whether the writer is told the page size beside the language.
+        Whether the PDF's function, or the writer, is told the page size beside the language.
+    writer : str
+        `module:function` that writes all of them.
     """
 
-    writer: str
-    formats: tuple[str, ...] = ("html",)
+    formats: Mapping[str, tuple[str, str]]
     usual: tuple[str, ...] = ("html",)
     takes_paper: bool = False
+    writer: str = ""
+
+
+def _files(name: str, **made_by: str) -> dict[str, tuple[str, str]]:
+    """Return the file of each format, all of one name, and what makes it: `module:function`."""
+    return {each: (f"{name}.{each}", f"certkit.reporting.{place}") for each, place in made_by.items()}
 
 
 _PAPER = ("html", "pdf")
-_OFFICE = ("xlsx", "pptx")
 
 REPORTS = {
     "certkit-result/1": DocumentReport(
-        "certkit.reporting.writing:render",
-        tuple(FORMATS),
+        dict.fromkeys(FORMATS, ("", "")), _PAPER, takes_paper=True, writer="certkit.reporting.writing:render"
+    ),
+    "certkit-comparison/1": DocumentReport(
+        _files(
+            "comparison",
+            html="comparison_report:comparison_page",
+            pdf="comparison_report:comparison_pdf",
+            xlsx="comparison_xlsx:comparison_xlsx",
+            pptx="comparison_pptx:comparison_pptx",
+        )
+    ),
+    "certkit-extraction/1": DocumentReport(
+        _files(
+            "extraction", html="extraction_report:extraction_page", pdf="extraction_report:extraction_pdf"
+        ),
+        _PAPER,
+    ),
+    "certkit-campaign/1": DocumentReport(
+        {
+            **_files("campaign", html="campaign_page:campaign_page", csv="campaign_csv:campaign_csv"),
+            "junit": ("junit.xml", "certkit.reporting.campaign_junit:campaign_junit"),
+            **_files("campaign", xlsx="campaign_xlsx:campaign_xlsx", pptx="campaign_pptx:campaign_pptx"),
+        }
+    ),
+    "certkit-study/1": DocumentReport(_files("study", html="study_pages:study_page")),
+    "certkit-optimum/1": DocumentReport(_files("optimum", html="study_pages:optimum_page")),
+    "certkit-fit/1": DocumentReport(_files("fit", html="study_pages:calibration_page")),
+    "certkit-certificate/1": DocumentReport(
+        _files(
+            "certificate",
+            html="legform_certificate_report:certificate_page",
+            pdf="legform_certificate_report:certificate_pdf",
+        ),
         _PAPER,
         takes_paper=True,
     ),
-    "certkit-comparison/1": DocumentReport(
-        "certkit.reporting.comparison_report:render_comparison", (*_PAPER, *_OFFICE)
+    "certkit-logbook/1": DocumentReport(
+        {"html": ("", "")}, writer="certkit.reporting.logbook_page:render_logbook"
     ),
-    "certkit-extraction/1": DocumentReport(
-        "certkit.reporting.extraction_report:render_extraction", _PAPER, _PAPER
-    ),
-    "certkit-campaign/1": DocumentReport(
-        "certkit.reporting.campaign_files:render_campaign", ("html", "csv", "junit", *_OFFICE)
-    ),
-    "certkit-study/1": DocumentReport("certkit.reporting.study_pages:render_study"),
-    "certkit-optimum/1": DocumentReport("certkit.reporting.study_pages:render_optimum"),
-    "certkit-fit/1": DocumentReport("certkit.reporting.study_pages:render_calibration"),
-    "certkit-certificate/1": DocumentReport(
-        "certkit.reporting.legform_certificate_report:render_certificate", _PAPER, _PAPER, takes_paper=True
-    ),
-    "certkit-logbook/1": DocumentReport("certkit.reporting.logbook_page:render_logbook"),
-    "certkit-uncertainty/1": DocumentReport("certkit.reporting.uncertainty_page:render_uncertainty"),
-    "certkit-twin/1": DocumentReport("certkit.reporting.twin_page:render_twin"),
-    "certkit-round-robin/1": DocumentReport("certkit.reporting.round_robin_page:render_round_robin"),
+    "certkit-uncertainty/1": DocumentReport(_files("uncertainty", html="uncertainty_page:uncertainty_page")),
+    "certkit-twin/1": DocumentReport(_files("twin", html="twin_page:twin_page")),
+    "certkit-round-robin/1": DocumentReport(_files("round-robin", html="round_robin_page:round_robin_page")),
 }
 
 
@@ -111,13 +135,17 @@ def render_document(
     """
     report = REPORTS[document.schema_word()]
     checked(document, formats or ())
-    module, _, name = report.writer.partition(":")
-    write = getattr(import_module(module), name)
-    options = {"spoken": spoken}
-    if report.takes_paper:
-        options["paper"] = paper
-    found: list[Path] = write(document, out, report.usual if formats is None else formats, **options)
-    return found
+    wanted = report.usual if formats is None else formats
+    options = {"paper": paper} if report.takes_paper else {}
+    if report.writer:
+        module, _, name = report.writer.partition(":")
+        found: list[Path] = getattr(import_module(module), name)(
+            document, out, wanted, spoken=spoken, **options
+        )
+        return found
+    from certkit.reporting.named_files import write_named  # noqa: PLC0415  # `--help` asks for formats alone
+
+    return write_named(document, out, wanted, report.formats, spoken, options)
 
 
 def checked(document: OutputDocument | type[OutputDocument], formats: Sequence[str]) -> list[str]:

@@ -10,15 +10,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
-from certkit.errors import MissingPartError
-from certkit.files import write_whole
 from certkit.reporting.attachments import Enclosure
 from certkit.reporting.coupled_check import worst_group
 from certkit.reporting.extraction_data import extraction_payload
 from certkit.reporting.extraction_view import extraction_view
 from certkit.reporting.html_report import SCRIPTS
 from certkit.reporting.language import ENGLISH
-from certkit.reporting.left_out import leave_out
 from certkit.reporting.page_data import embedded
 from certkit.reporting.pdf_engine import typeset
 from certkit.reporting.pdf_report import creation_date
@@ -26,35 +23,7 @@ from certkit.reporting.static_page import static_page
 from certkit.reporting.templating import fill, text
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
-    from pathlib import Path
-
     from certkit.identification import ExtractionResult
-
-
-def render_extraction(
-    result: ExtractionResult, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
-) -> list[Path]:
-    """Write `extraction.html` and `extraction.pdf` as wanted.
-
-    Returns
-    -------
-    list of Path
-        What was written; the PDF is left out with a `LeftOutWarning` where a library for it is missing.
-    """
-    written = []
-    if "html" in formats:
-        written.append(out / "extraction.html")
-        write_whole(written[-1], extraction_page(result, spoken))
-    if "pdf" in formats:
-        try:
-            content = extraction_pdf(result, spoken)
-        except MissingPartError as error:
-            leave_out("extraction.pdf", error)
-        else:
-            written.append(out / "extraction.pdf")
-            write_whole(written[-1], content)
-    return written
 
 
 def extraction_page(result: ExtractionResult, spoken: str = ENGLISH) -> str:

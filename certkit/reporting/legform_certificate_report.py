@@ -6,7 +6,6 @@ from datetime import UTC, date, datetime, time
 from typing import TYPE_CHECKING, Any
 
 from certkit._version import __version__
-from certkit.files import write_whole
 from certkit.reporting.attachments import Enclosure, manifest
 from certkit.reporting.laboratory_view import laboratory_view
 from certkit.reporting.language import ENGLISH, language, worded
@@ -17,46 +16,12 @@ from certkit.reporting.result_view import unique_views
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
-    from pathlib import Path
-
     from certkit.documents.legform_certificate import LegformCertificate
     from certkit.reporting.report_format import Paper
 
-PAGE, PAPER = "certificate.html", "certificate.pdf"
+PAGE = "certificate.html"
 LOGBOOK = "logbook.html"
 """The logbook with its curves, attached to the PDF as one file."""
-
-
-def render_certificate(
-    document: LegformCertificate,
-    out: Path,
-    formats: Collection[str],
-    *,
-    paper: Paper = "A4",
-    spoken: str = ENGLISH,
-) -> list[Path]:
-    """Write `certificate.html` and `certificate.pdf` where they are wanted, in a language.
-
-    Returns
-    -------
-    list of Path
-        What was written; the PDF is left out with a remark where a library that it needs is missing.
-    """
-    from certkit.errors import MissingPartError  # noqa: PLC0415  # beside its only use
-    from certkit.reporting.left_out import leave_out  # noqa: PLC0415  # likewise
-
-    written = []
-    if "html" in formats:
-        write_whole(out / PAGE, certificate_page(document, spoken))
-        written.append(out / PAGE)
-    if "pdf" in formats:
-        try:
-            write_whole(out / PAPER, certificate_pdf(document, paper=paper, spoken=spoken))
-            written.append(out / PAPER)
-        except MissingPartError as error:
-            leave_out(PAPER, error)
-    return written
 
 
 def certificate_page(document: LegformCertificate, spoken: str = ENGLISH) -> str:

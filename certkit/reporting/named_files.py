@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from importlib import import_module
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from certkit.errors import MissingPartError
@@ -16,10 +17,7 @@ if TYPE_CHECKING:
 
     from certkit.documents.output_document import OutputDocument
 
-Files = dict[str, tuple[str, str]]
-"""By format: the file's name, and `module:function` that makes its content of the document."""
-
-
+NOTHING: Mapping[str, str] = MappingProxyType({})
 TRANSLATED = ("html", "pdf")
 """Formats that are made in each language."""
 
@@ -30,11 +28,25 @@ def write_named(
     formats: Collection[str],
     files: Mapping[str, tuple[str, str]],
     spoken: str = ENGLISH,
+    on_paper: Mapping[str, str] = NOTHING,
 ) -> list[Path]:
-    """Write the wanted reports into a folder, in a language, and return what was written.
+    """Write the wanted reports into a folder, and return what was written.
 
     Those that people work on, and those that programs read, are English. One that needs something that is not
     installed is left out, with a `LeftOutWarning`.
+
+    Parameters
+    ----------
+    document : OutputDocument
+    out : Path
+        Folder.
+    formats : collection of str
+    files : mapping of str to (str, str)
+        By format: the file's name, and `module:function` that makes its content of the document.
+    spoken : str
+        Language of those that people read.
+    on_paper : mapping of str to str
+        What the PDF's function is told beside.
     """
     written = []
     for name, (file, home) in files.items():
@@ -43,7 +55,11 @@ def write_named(
         module, _, function = home.partition(":")
         try:
             make = getattr(import_module(module), function)
-            content = make(document, spoken) if name in TRANSLATED else make(document)
+            content = (
+                make(document, spoken=spoken, **(on_paper if name == "pdf" else {}))
+                if name in TRANSLATED
+                else make(document)
+            )
         except MissingPartError as error:
             leave_out(file, error)
             continue

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.files import write_whole
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.laboratory_values import laboratory_values_chart
 from certkit.reporting.language import ENGLISH, language, worded
@@ -12,30 +11,12 @@ from certkit.reporting.plaintext import aligned
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection
-    from pathlib import Path
+    from collections.abc import Callable
 
     from certkit.documents.round_robin_report import CriterionPrecision, RoundRobinReport
 
 QUESTIONABLE, TOO_FAR = 2.0, 3.0
 """|z| from which a result is a warning, and an action signal (ISO 13528:2022, 9.4.2)."""
-
-
-def render_round_robin(
-    document: RoundRobinReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
-) -> list[Path]:
-    """Write `round-robin.html` when it is wanted.
-
-    Returns
-    -------
-    list of Path
-        What was written.
-    """
-    if "html" not in formats:
-        return []
-    path = out / "round-robin.html"
-    write_whole(path, round_robin_page(document, spoken))
-    return [path]
 
 
 def round_robin_page(document: RoundRobinReport, spoken: str = ENGLISH) -> str:

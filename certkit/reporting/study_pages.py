@@ -8,46 +8,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.study import DESIGNS
-from certkit.files import write_whole
 from certkit.reporting.charts.study_charts import dots, tornado
 from certkit.reporting.language import ENGLISH, language
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection
-    from pathlib import Path
+    from collections.abc import Callable
 
     from certkit.documents.calibration_report import CalibrationReport
     from certkit.documents.optimum_report import OptimumReport
     from certkit.documents.rounding import FigureOrWord
     from certkit.documents.study_report import Cloud, StudyReport, VariedParameter
     from certkit.reporting.svg import Drawing
-
-
-def render_study(
-    document: StudyReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
-) -> list[Path]:
-    """Write `study.html` when it is wanted, and return what was written."""
-    return _written(out / "study.html", study_page(document, spoken)) if "html" in formats else []
-
-
-def render_optimum(
-    document: OptimumReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
-) -> list[Path]:
-    """Write `optimum.html` when it is wanted, and return what was written."""
-    return _written(out / "optimum.html", optimum_page(document, spoken)) if "html" in formats else []
-
-
-def render_calibration(
-    document: CalibrationReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
-) -> list[Path]:
-    """Write `fit.html` when it is wanted, and return what was written."""
-    return _written(out / "fit.html", calibration_page(document, spoken)) if "html" in formats else []
-
-
-def _written(path: Path, page: str) -> list[Path]:
-    write_whole(path, page)
-    return [path]
 
 
 def study_page(document: StudyReport, spoken: str = ENGLISH) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.files import write_whole
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.lines import lines_chart
 from certkit.reporting.language import ENGLISH, language, worded
@@ -13,32 +12,12 @@ from certkit.reporting.static_page import static_page
 from certkit.reporting.translated_titles import title_in
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
-    from pathlib import Path
-
     from certkit.documents.twin_report import PartFinding, TwinCurve, TwinReport, TwinTest
     from certkit.reporting.language import Language
     from certkit.reporting.svg import Drawing
 
 SHOWN = 5
 """Parts that a terminal shows of each test."""
-
-
-def render_twin(
-    document: TwinReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
-) -> list[Path]:
-    """Write `twin.html` when it is wanted.
-
-    Returns
-    -------
-    list of Path
-        What was written.
-    """
-    if "html" not in formats:
-        return []
-    path = out / "twin.html"
-    write_whole(path, twin_page(document, spoken))
-    return [path]
 
 
 def twin_page(document: TwinReport, spoken: str = ENGLISH) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.files import write_whole
 from certkit.reporting import number_format as words
 from certkit.reporting.charts.uncertainty_shares import uncertainty_shares_chart
 from certkit.reporting.language import ENGLISH, language
@@ -12,27 +11,9 @@ from certkit.reporting.plaintext import aligned
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection
-    from pathlib import Path
+    from collections.abc import Callable
 
     from certkit.documents.uncertainty_report import CriterionUncertainty, UncertaintyReport
-
-
-def render_uncertainty(
-    document: UncertaintyReport, out: Path, formats: Collection[str], *, spoken: str = ENGLISH
-) -> list[Path]:
-    """Write `uncertainty.html` when it is wanted.
-
-    Returns
-    -------
-    list of Path
-        What was written.
-    """
-    if "html" not in formats:
-        return []
-    path = out / "uncertainty.html"
-    write_whole(path, uncertainty_page(document, spoken))
-    return [path]
 
 
 def uncertainty_page(document: UncertaintyReport, spoken: str = ENGLISH) -> str:
