@@ -29,6 +29,8 @@ class AimedAt(BaseModel):
 class Bounds(BaseModel):
     """A number that was free between bounds; of one procedure, or of the legform."""
 
+    model_config = ConfigDict(coerce_numbers_to_str=True)  # a bound without a unit is written as a number
+
     path: str
     procedure: str | None = None
     lower: str
