@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, field_validator
 
 from certkit.definitions.base import Section
 from certkit.definitions.loading.field_types import Axes
@@ -18,8 +18,10 @@ from certkit.definitions.provenance import (
     Inertia,
     Length,
     Mass,
+    Number,
     Ratio,
     RotationalStiffness,
+    Speed,
     Stiffness,
     Time,
 )
@@ -137,6 +139,13 @@ class Flesh(Section):
     resilience: Annotated[
         Ratio | None, Field(description="Share of its work that it gives back; 50 % when missing.")
     ] = None
+    reversal_speed: Annotated[
+        Speed | None,
+        Field(
+            description="Of compression, where internal friction has come to three quarters of its full "
+            "value; 1 m/s when missing."
+        ),
+    ] = None
     face: Annotated[
         Length | None,
         Field(description="Distance of its bone side from the leg's axis; half the parts' depth if missing."),
@@ -152,3 +161,11 @@ class Flesh(Section):
         FarFlesh | None,
         Field(description="Both sides are one mass on the axis when missing, else each in its own middle."),
     ] = None
+
+    @field_validator("reversal_speed")
+    @classmethod
+    def _above_zero(cls, speed: Number | None) -> Number | None:
+        """Refuse a speed at which friction would turn by a step."""
+        if speed is not None and float(speed) <= 0.0:
+            raise ValueError("has to be above zero, such as 1 m/s")
+        return speed

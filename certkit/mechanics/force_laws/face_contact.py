@@ -124,6 +124,7 @@ def press_strip(  # noqa: PLR0913, PLR0915, PLR0917  # one contact, force by for
     compacted_at: float,
     wall: float,
     loss: float,
+    reversal: float,
     thickness: float,
     rubbing: float,
 ) -> tuple[float, float, float, float]:
@@ -139,7 +140,7 @@ def press_strip(  # noqa: PLR0913, PLR0915, PLR0917  # one contact, force by for
         Place of the strip, m, and how fast it moves along x and z, m/s.
     height : float
         Of the strip, m.
-    compression, layer, compacted_at, wall, loss, thickness : float
+    compression, layer, compacted_at, wall, loss, reversal, thickness : float
         Of the flesh, see `flesh_compression`.
     rubbing : float
         μ.
@@ -179,7 +180,7 @@ def press_strip(  # noqa: PLR0913, PLR0915, PLR0917  # one contact, force by for
     closing += weight * surface_velocity(now, below, other_z, other_angle)
     by_height = -(1.0 - weight) * by_z - weight * other_z - (across * 0.5 / RAMP if weight > 0.0 else 0.0)
     closing += by_height * climbing - speed
-    friction = press * friction_share(closing * cosine, loss)
+    friction = press * friction_share(closing * cosine, loss, reversal)
     force = press + friction
     totals.stored += part * upright * energy
     totals.power += friction * closing

@@ -31,9 +31,6 @@ from certkit.mechanics.force_laws.leg_outline import piece_at, surface_at, surfa
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
 
-REVERSAL = 1.0
-"""v, m/s: speed of compression at which internal friction has come to three quarters of its full value."""
-
 
 @compiled
 def elastic(
@@ -62,9 +59,9 @@ def tilted(
 
 
 @compiled
-def friction_share(closing: float, loss: float) -> float:
+def friction_share(closing: float, loss: float, reversal: float) -> float:
     """Return internal friction as a share of the elastic force, at a speed of compression ḋ in m/s."""
-    return loss * math.tanh(closing / REVERSAL)
+    return loss * math.tanh(closing / reversal)
 
 
 @dataclass(kw_only=True)
@@ -89,6 +86,8 @@ class FleshCompression(ForceLaw):
         w, N/m².
     loss : float
         λ.
+    reversal : float
+        v, m/s: speed of compression at which internal friction has come to three quarters of its full value.
     thickness : float
         Of the flesh in front of the bone, m.
     depth, force : State
@@ -104,6 +103,7 @@ class FleshCompression(ForceLaw):
     compacted_at: float
     wall: float
     loss: float
+    reversal: float
     thickness: float
     depth: State = 0.0
     force: State = 0.0
@@ -137,7 +137,7 @@ class FleshCompression(ForceLaw):
                 depth, leg.cos, strip.compression, strip.layer, strip.compacted_at, strip.wall
             )
             press *= strip.height
-            friction = press * friction_share(closing * leg.cos, strip.loss)
+            friction = press * friction_share(closing * leg.cos, strip.loss, strip.reversal)
             force = press + friction
             totals.stored += strip.height * energy
             totals.power += friction * closing

@@ -69,7 +69,7 @@ class FoldingFaceContact(ForceLaw):
         Where the group's body stands before it is moved, m.
     in_start, in_points, back_start, back_points : int
         The strip's path, see `recorded_path`: x against the group, z and height over the displacement.
-    compression, layer, compacted_at, wall, loss : float
+    compression, layer, compacted_at, wall, loss, reversal : float
         Of the flesh, see `flesh_compression`.
     thickness : float
         Of the flesh in front of the bone, m.
@@ -98,6 +98,7 @@ class FoldingFaceContact(ForceLaw):
     compacted_at: float
     wall: float
     loss: float
+    reversal: float
     thickness: float
     friction: float
     depth: State = 0.0
@@ -152,6 +153,7 @@ class FoldingFaceContact(ForceLaw):
                 strip.compacted_at,
                 strip.wall,
                 strip.loss,
+                strip.reversal,
                 strip.thickness,
                 strip.friction,
             )

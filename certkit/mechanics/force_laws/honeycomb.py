@@ -76,7 +76,7 @@ class Honeycomb(ForceLaw):
         d_y, m.
     thickness : float
         Of the flesh in front of the bone, m; 0 where it is off.
-    compression, layer, compacted_at, wall, loss : float
+    compression, layer, compacted_at, wall, loss, reversal : float
         Of the flesh, where it is fitted, as in `FleshCompression`.
     crushed : State
         d_p, m: remembered from step to step.
@@ -100,6 +100,7 @@ class Honeycomb(ForceLaw):
     compacted_at: float = 1.0
     wall: float = 0.0
     loss: float = 0.0
+    reversal: float = 1.0
     crushed: State = 0.0
     force: State = 0.0
     flesh_depth: State = 0.0
@@ -135,7 +136,7 @@ class Honeycomb(ForceLaw):
             if strip.thickness > 0.0:
                 closing = surface_velocity(now, body, by_z, by_angle)
                 closing -= now.velocity[strip.carrier].x + by_z * now.velocity[strip.carrier].z
-                scale = 1.0 + friction_share(closing * leg.cos, strip.loss)
+                scale = 1.0 + friction_share(closing * leg.cos, strip.loss, strip.reversal)
                 soft = flesh_depth(approach, leg.cos, strength, scale, strip)
                 press, energy, by_cosine = tilted(
                     soft, leg.cos, strip.compression, strip.layer, strip.compacted_at, strip.wall

@@ -43,6 +43,8 @@ class VehicleFrontContact(ForceLaw):
         w, N/m².
     loss : float
         λ.
+    reversal : float
+        v, m/s.
     thickness : float
         Of the flesh in front of the bone, m.
     friction : float
@@ -62,6 +64,7 @@ class VehicleFrontContact(ForceLaw):
     compacted_at: float
     wall: float
     loss: float
+    reversal: float
     thickness: float
     friction: float
     depth: State = 0.0
@@ -97,6 +100,7 @@ class VehicleFrontContact(ForceLaw):
                 strip.compacted_at,
                 strip.wall,
                 strip.loss,
+                strip.reversal,
                 strip.thickness,
                 strip.friction,
             )

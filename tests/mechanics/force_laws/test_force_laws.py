@@ -103,7 +103,15 @@ def bar_against(
     return run_world(world, Plan(STEP, until, until), force, [bar]), assembly
 
 
-FLESH = {"compression": 1e6, "layer": 0.03, "compacted_at": 0.027, "wall": 2e9, "loss": 0.0, "thickness": 0.0}
+FLESH = {
+    "compression": 1e6,
+    "layer": 0.03,
+    "compacted_at": 0.027,
+    "wall": 2e9,
+    "loss": 0.0,
+    "reversal": 1.0,
+    "thickness": 0.0,
+}
 
 
 def test_flesh_without_loss_gives_back_what_it_takes_and_stiffens():
@@ -124,6 +132,17 @@ def test_flesh_ends_at_the_bone():
     assert 0.027 < run.tracks[:, 0, 0].max() < 0.030
     assert run.flesh_depth == pytest.approx(run.tracks[:, 0, 0].max() / 0.03, rel=1e-3)
     assert (run.tracks[-1, 0, 0] - run.tracks[-2, 0, 0]) / STEP == pytest.approx(-12.0, rel=1e-3)
+
+
+def test_internal_friction_of_flesh_is_full_above_its_reversal_speed():
+    """A slow blow loses the share of a fast one only where friction turns at a far lower speed still."""
+    kept = {}
+    for reversal in (0.01, 1.0, 100.0):
+        run, _ = bar_against(FleshCompression, FLESH | {"loss": 1 / 3, "reversal": reversal}, 1.0, 0.1)
+        kept[reversal] = ((run.tracks[-1, 0, 0] - run.tracks[-2, 0, 0]) / STEP) ** 2
+    assert kept[0.01] == pytest.approx(0.5, rel=0.01)
+    assert kept[0.01] < kept[1.0] < kept[100.0]
+    assert kept[100.0] > 0.98
 
 
 @pytest.mark.parametrize("resilience", [0.3, 0.5, 0.8])

@@ -140,6 +140,7 @@ def struck(shift: float, *behind: float) -> Trajectory:
                 compacted_at=math.inf,
                 wall=0.0,
                 loss=0.0,
+                reversal=1.0,
                 thickness=0.03,
                 friction=0.0,
                 **add_path(assembly, (np.array([0.0, 0.02]), places), (np.array([1.0]), np.zeros((1, 3)))),
