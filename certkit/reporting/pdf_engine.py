@@ -170,6 +170,9 @@ def _with_drawings(html: str, fonts: Any) -> tuple[str, dict[str, PdfDrawing]]: 
         images[address] = PdfDrawing(root, labels)
         title = root.findtext(f"{SVG}title") or root.findtext("title") or ""
         css_class = root.get("class", "")
+        if css_class == "rows":  # text, and no figure with an alternative
+            parts.append(f'<embed src="{address}" class="{escape(css_class)}"/>')
+            continue
         parts.append(f'<img src="{address}" class="{escape(css_class)}" alt="{escape(title)}"/>')
     return "".join(parts), images
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import unicodedata
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from certkit.errors import UsageError
 from certkit.reporting import number_format as words
+from certkit.reporting.charts.number_rows import number_rows
 from certkit.reporting.language import ENGLISH, language
 from certkit.reporting.translated_titles import title_in
 
@@ -61,6 +62,7 @@ def _environment(code: str) -> SandboxedEnvironment:
         "slug_class": lambda verdict: "v-" + str(verdict).replace(" ", "-"),
     }
     spoken = language(code)
+    environment.filters["number_rows"] = partial(number_rows, word=spoken.word)
     environment.globals |= {
         "language": spoken,
         "t": spoken.word,

@@ -2,6 +2,9 @@ from __future__ import annotations
 
 import io
 import re
+import shutil
+import subprocess
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -128,3 +131,19 @@ def test_a_certificate_does_not_depend_on_those_set_before():
     first = certificate(unique_views([synthetic_result.static_result()]))
     certificate(unique_views([synthetic_result.laboratory_result()]))
     assert certificate(unique_views([synthetic_result.static_result()])) == first
+
+
+def test_numbers_that_went_in_are_text_by_rows_and_no_figures(tmp_path: Path):
+    program = shutil.which("pdftotext")
+    if program is None:
+        pytest.skip("pdftotext (poppler-utils) is not installed")
+    document = synthetic_result.result()
+    (tmp_path / "report.pdf").write_bytes(certificate(unique_views([document])))
+    said = subprocess.run(
+        [program, "-raw", tmp_path / "report.pdf", "-"], check=True, capture_output=True, text=True
+    )
+    words = " ".join(said.stdout.split())
+    assert document.parameters
+    for number in document.parameters:
+        name = number.path.partition(": ")[2] or number.path
+        assert f"{name} {number.value} {number.confidence} [" in words
