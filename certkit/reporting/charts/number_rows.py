@@ -1,7 +1,7 @@
 """The numbers that went in, as rows on paper: name, value, confidence and source.
 
-Hundreds of them are two fifths of a certificate's lines. As cells of a table each took the typesetter ten times
-as long as a text of a drawing does.
+Hundreds of them are most lines of a certificate. As a cell of a table each took the typesetter ten times as
+long as a text of a drawing does.
 """
 
 from __future__ import annotations
