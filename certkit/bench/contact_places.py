@@ -2,6 +2,7 @@
 
 A group's contact force is divided among its nodes on the middle line by how deep each of them lies in the
 leg's flesh, p ∝ d·(1 + (d/t)²), with the depth d from the leg's axis nodes and the flesh's thickness t.
+Shells meet before their middle planes do: depths count from the deepest node's at first contact.
 Without axis nodes the whole force acts at the group's foremost node, without any node at the middle of its
 face.
 """
@@ -26,6 +27,10 @@ AXIS = "leg_axis"
 """Lines of nodes on the leg's axis begin with this."""
 
 
+FIRST = 1e-4
+"""Share of the whole impulse that tells the first contact."""
+
+
 def recorded_forces(
     result: ExtractionResult, motion: NodeMotion | None, *, face: float, thickness: float
 ) -> list[RecordedForce]:
@@ -42,6 +47,9 @@ def recorded_forces(
     groups = {group.name: group for group in result.groups}
     time = np.array(result.times)
     axis = None if motion is None else _axis(motion)
+    surface = face + thickness
+    if motion is not None and axis is not None:
+        surface += _clearance(result, motion, axis, surface)
     found = []
     for path in result.paths:
         if path.source not in impactors or path.target not in groups or not any(path.force):
@@ -57,7 +65,7 @@ def recorded_forces(
             found.append(RecordedForce(group.name, time, force, np.full_like(time, middle)))
             continue
         places = np.array(nodes)
-        shares = _foremost(places) if axis is None else _by_depth(places, axis, face, thickness)
+        shares = _foremost(places) if axis is None else _by_depth(places, axis, surface, thickness)
         for place, share in zip(places, shares, strict=True):
             if share.max() > 0:
                 height = np.interp(time, motion.time, place[:, 1])
@@ -79,9 +87,22 @@ def _foremost(places: Values) -> Values:
     return shares
 
 
-def _by_depth(places: Values, axis: Values, face: float, thickness: float) -> Values:
+def _clearance(result: ExtractionResult, motion: NodeMotion, axis: Values, surface: float) -> float:
+    """Return how far the nearest node of a touched group is from the flesh when the first force acts, m."""
+    impactors = {group.name for group in result.groups if group.kind == "impactor"}
+    touched = [path for path in result.paths if path.source in impactors and any(path.impulse)]
+    total = np.sum([path.impulse for path in touched], axis=0)
+    begun = float(np.array(result.times)[int(np.argmax(total > FIRST * total.max()))])
+    groups = {group.name: group for group in result.groups}
+    parts = [part for path in touched if path.target in groups for part in groups[path.target].parts]
+    nodes = [node for part in parts for node in motion.places.get(part, {}).values()]
+    gaps = [float(np.interp(begun, motion.time, _distance(node, axis))) - surface for node in nodes]
+    return max(min(gaps, default=0.0), 0.0)
+
+
+def _by_depth(places: Values, axis: Values, surface: float, thickness: float) -> Values:
     """Return each node's share of the force over time, shape (nodes, instants)."""
-    depth = np.array([face + thickness - _distance(node, axis) for node in places])
+    depth = np.array([surface - _distance(node, axis) for node in places])
     press = np.maximum(depth, 0.0)
     press = press * (1.0 + (press / thickness) ** 2)
     total = press.sum(axis=0)

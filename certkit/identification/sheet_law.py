@@ -36,6 +36,9 @@ error of 11 % in the mean, with three times as much 15 %, with half as much 12 %
 
 DAMPING_RATIO = 0.3
 BINS_IN, BINS_BACK = 40, 20
+JOINED = 0.8
+"""Share of the largest progress at which a way back that begins early has joined the recorded one."""
+
 SLACK = 1e-4
 """m: a progress this little below its largest (on the way back: above its least) is still on the path."""
 
@@ -64,8 +67,13 @@ class SheetLaw:
         """Return the path's force along a history of progress, shape (n,)."""
         top = np.maximum.accumulate(np.maximum(progress, 0.0))
         share = np.divide(progress, top, out=np.ones_like(top), where=top > 0)
-        back = np.interp(share, self.shares, self.back_force) * np.minimum(top / self.progress[-1], 1.0)
-        force = np.interp(top, self.progress, self.force) + back
+        inwards, end = np.interp(top, self.progress, self.force), self.force[-1]
+        weight = np.minimum(top / self.progress[-1], 1.0)
+        left = np.maximum((share - JOINED) / (1 - JOINED), 0.0)
+        back = weight * (end + np.interp(share, self.shares, self.back_force)) + left * (
+            inwards - weight * end
+        )
+        force = np.where(share < 1, back, inwards)
         return np.asarray(force if self.tension else np.maximum(force, 0.0))
 
 

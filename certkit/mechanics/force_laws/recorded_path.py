@@ -5,6 +5,11 @@ s = ξ/ξₘ, what the recorded run added is added, in the measure of how far in
 y(ξₘ) + Δy(s)·min(ξₘ/ξ_end, 1), with Δy(1) = 0 and the path's end ξ_end. So a trembling before the way in has
 begun is no way back. Beyond the tables' ends the last value holds. Several quantities of one path are curves
 of equally many points that follow each other.
+
+Where a quantity has to end as in the recorded run, as a contact force that ends when the contact does, a way
+back that begins before the path's end joins the recorded one, over the first fifth of its share
+(`on_joining_path`): (y(ξ_end) + Δy(s))·w + b(s)·(y(ξₘ) - w·y(ξ_end)), with w = min(ξₘ/ξ_end, 1) and b from 1
+at s = 1 to 0 at s = 0.8. On the recorded path both are the same.
 """
 
 from __future__ import annotations
@@ -57,4 +62,27 @@ def on_path(
         end = curves[start + path.in_points - 1].x
         weight = min(largest / end, 1.0) if end > 0.0 else 1.0
         value += weight * held(curves, path.back_start + quantity * count, count, progress / largest)
+    return value
+
+
+JOINED = 0.8
+"""Share of the largest progress at which a way back has joined the recorded one."""
+
+
+@compiled
+def on_joining_path(
+    curves: Rows[CurvePoint], path: RecordedPath, quantity: int, progress: float, largest: float
+) -> float:
+    """Return a quantity of a path by its number; its way back joins the recorded one."""
+    start, count = path.in_start, path.in_points
+    value = held(curves, start + quantity * count, count, largest)
+    points = path.back_points
+    if points > 0 and largest > 0.0 and progress < largest:
+        share = progress / largest
+        last = start + (quantity + 1) * count - 1
+        end = curves[last].x
+        weight = min(largest / end, 1.0) if end > 0.0 else 1.0
+        left = max((share - JOINED) / (1.0 - JOINED), 0.0)
+        added = held(curves, path.back_start + quantity * points, points, share)
+        value = (curves[last].force + added) * weight + left * (value - weight * curves[last].force)
     return value

@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
 from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
-from certkit.mechanics.force_laws.recorded_path import on_path
+from certkit.mechanics.force_laws.recorded_path import on_joining_path
 
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
@@ -81,8 +81,8 @@ class SheetLink(ForceLaw):
             second = now.pose[link.second].x - link.second_rest
             progress, shortening = 0.5 * (first + second), first - second
             link.largest = max(link.largest, progress)
-            opening = shortening - on_path(now.curves, link, 0, progress, link.largest)
-            force = on_path(now.curves, link, 1, progress, link.largest)
+            opening = shortening - on_joining_path(now.curves, link, 0, progress, link.largest)
+            force = on_joining_path(now.curves, link, 1, progress, link.largest)
             off_path = link.stiffness * opening + link.damping * (opening - link.opening) / now.step
             stored = before = 0.0
             if link.contact_force > 0.0:

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from certkit.identification.sheet_law import sheet_law
+from certkit.identification.sheet_law import SheetLaw, sheet_law
 from certkit.mechanics.force_laws.folding_face_contact import FoldingFaceContact
 from certkit.mechanics.force_laws.law import OutlinePiece
 from certkit.mechanics.force_laws.recorded_contact import RecordedContact
@@ -105,6 +105,30 @@ def test_a_contact_that_slides_pushes_and_never_pulls() -> None:
     assert acceleration.max() < 1e-6
     total = run.kinetic + run.stored.sum(axis=1) + run.dissipated.sum(axis=1)
     assert np.ptp(total[250:]) < 0.01 * run.kinetic.max()
+
+
+def test_a_way_back_that_begins_early_ends_as_the_recorded_one_in_law_and_run() -> None:
+    inwards = np.array([[0.0, 0.0, 0.0], [0.005, 0.01, 3000.0], [0.01, 0.02, 500.0]])
+    returning = np.array([[0.0, 0.0, -500.0], [0.7, 0.0, -500.0], [1.0, 0.0, 0.0]])
+    law = SheetLaw(*inwards.T, *returning.T, stiffness=1e-6, damping=0.0)
+    assembly = Assembly()
+    body = assembly.add_body("mass", 2.0, 0.0, (0.0, 0.0, 0.0), guided=True)
+    time = np.array([0.0, 1e-9, 0.003, 0.003 + 1e-9, 1.0])
+    values = np.column_stack([[0.0, 4000.0, 4000.0, -4000.0, -4000.0], np.zeros(5)])
+    start, points = add_tables(assembly, time, values)
+    assembly.add(RecordedContact(group=body, start=start, points=points, on_leg=0, thickness=0.0))
+    path = add_path(assembly, (inwards[:, 0], inwards[:, 1:]), (returning[:, 0], returning[:, 1:]))
+    rests = {"first_rest": 0.0, "second_rest": 0.0}
+    row = assembly.add(SheetLink(first=body, second=GROUND, **rests, stiffness=1e-6, damping=0.0, **path))
+    world = assembly.finish()
+    probe = world.place(SheetLink, row, "force")
+    run = run_world(world, Plan(STEP, 0.014, 0.0), [probe], tracked=[body])
+    progress = 0.5 * run.tracks[:, 0, 0]
+    turn = int(np.argmax(progress))
+    assert 0.004 < progress[turn] < 0.008  # before the path's end
+    assert np.abs(run.readings[1:, 0] - law.force_along(progress)[1:]).max() < 40
+    assert run.readings[turn, 0] > 1500
+    assert abs(run.readings[progress > 0][-1, 0]) < 40
 
 
 def test_a_sheet_law_repeats_a_force_that_is_no_function_of_the_shortening() -> None:
