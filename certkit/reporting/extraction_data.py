@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from typing import TYPE_CHECKING, Any
 
 from certkit.reporting.channel_names import channel_scale, channel_words
+from certkit.reporting.charts.group_response import contact_path
 from certkit.reporting.charts.motion_frames import FILL
 from certkit.reporting.charts.run_and_model import moment_peak, view_box
-from certkit.reporting.coupled_check import check_of
+from certkit.reporting.coupled_check import check_of, check_times, group_of
 from certkit.reporting.number_format import decimals as decimals_of
 from certkit.reporting.page_data import differences
-from certkit.reporting.scales import span
+from certkit.reporting.scales import span, ticks
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,6 +23,8 @@ if TYPE_CHECKING:
 
 PLACE_UNIT = 1e-4
 """Places travel as whole tenths of a millimetre."""
+BARS, INSET = 0.12, 0.008
+"""m on the left of what moves, in which bars show the leg's force on each group, and their distance to it."""
 
 
 def extraction_payload(result: ExtractionResult, worst: str | None) -> dict[str, Any] | None:
@@ -46,7 +50,7 @@ def extraction_payload(result: ExtractionResult, worst: str | None) -> dict[str,
         "interval": None,
         "axis": axis,
         "channels": [_channel(check) for check in timed],
-        "motion": _motion(result.motion, worst),
+        "motion": _motion(result, result.motion, worst),
     }
 
 
@@ -81,11 +85,15 @@ def _steps(values: Sequence[float], places: int) -> list[int]:
     return differences([round(v * 10 ** (places + 1)) for v in values])
 
 
-def _motion(motion: FrontMotion, worst: str | None) -> dict[str, Any]:
+def _motion(result: ExtractionResult, motion: FrontMotion, worst: str | None) -> dict[str, Any]:
+    pressed = {line.name: _contact(result, motion, line.name) for line in motion.lines if line.kind == "face"}
+    largest = max((v for sides in pressed.values() for row in sides.values() for v in row), default=0.0)
+    left, right, low, high = view_box(motion)
     return {
         "unit": PLACE_UNIT,
         "times": [round(t * 1e3, 4) for t in motion.times],
-        "box": [round(v, 4) for v in view_box(motion)],
+        "box": [round(left - (BARS if largest else 0.0), 4), round(right, 4), round(low, 4), round(high, 4)],
+        "bars": _bars(left - BARS + INSET, largest) if largest else None,
         "shapes": [],
         "scene": [],
         "fill": FILL,
@@ -93,14 +101,47 @@ def _motion(motion: FrontMotion, worst: str | None) -> dict[str, Any]:
         "moments": [],
         "peak": moment_peak(motion),
         "poses": [],
-        "lines": [_line(line, worst) for line in motion.lines],
+        "lines": [_line(line, worst, pressed.get(line.name, {})) for line in motion.lines],
     }
 
 
-def _line(line: MovingLine, worst: str | None) -> dict[str, Any]:
+def _bars(left: float, largest: float) -> list[float]:
+    """Return where bars of force begin (m), how long they are (m/N), and a round force to measure them by."""
+    scale = (BARS - 3 * INSET) / largest
+    rounds = ticks(0.0, largest, 3)
+    return [round(left, 4), float(f"{scale:.6g}"), rounds[1] if len(rounds) > 1 else largest]
+
+
+def _contact(result: ExtractionResult, motion: FrontMotion, name: str) -> dict[str, list[float]]:
+    """Return the leg's force on a group at each frame, its mean over a frame, N, in run and model."""
+    path, own = contact_path(result, name), group_of(check_of(result, "coupled"), name)
+    check = check_of(result, "coupled")
+    if path is None or own is None or check is None or not own.force:
+        return {}
+    return {
+        "run": _means(result.times, path.force, motion.times),
+        "model": _means([1e-3 * t for t in check_times(check, len(own.force))], own.force, motion.times),
+    }
+
+
+def _means(times: Sequence[float], values: Sequence[float], frames: Sequence[float]) -> list[float]:
+    """Return the means of a history around each frame, as long as the frames are apart."""
+    half = 0.5 * (frames[-1] - frames[0]) / max(len(frames) - 1, 1) + 1e-9
+    means = []
+    for frame in frames:
+        low, high = bisect_left(times, frame - half), bisect_right(times, frame + half)
+        part = values[low:high]
+        means.append(max(sum(part) / len(part), 0.0) if part else 0.0)
+    return means
+
+
+def _line(line: MovingLine, worst: str | None, pressed: dict[str, list[float]]) -> dict[str, Any]:
     found: dict[str, Any] = {"name": line.name, "kind": line.kind, "closed": line.closed}
     if line.kind != "leg":
         found["words"] = line.name
+    first = (line.run or line.model)[0] if line.run or line.model else ()
+    if pressed and first:
+        found["middle"] = round(0.5 * (first[0][1] + first[-1][1]), 4)
     if line.name == worst:
         found["marked"] = True
     for side, frames, moments in (
@@ -113,4 +154,6 @@ def _line(line: MovingLine, worst: str | None) -> dict[str, Any]:
             found[side] = {"places": places} | (
                 {"moments": [[round(v) for v in row] for row in moments]} if moments else {}
             )
+            if side in pressed:
+                found[side]["forces"] = [round(v) for v in pressed[side]]
     return found

@@ -48,6 +48,12 @@ function setUpStage(stage, motion) {
       if (joint >= 0) path.setAttribute("fill", diverging(mixed(motion.moments[index], motion.moments[next], joint, part) / motion.peak));
     };
   });
+  if (motion.bars) {
+    const [x, scale, force] = [motion.bars[0] * 1000, motion.bars[1] * 1000, motion.bars[2]];
+    const foot = -low - 14;
+    element("path", { class: "m-base", d: `M${x} ${-high + 14}V${foot - 34}M${x} ${foot - 5}v10M${x} ${foot}h${(force * scale).toFixed(1)}m0 -5v10` }, svg);
+    element("text", { class: "m-name", x, y: foot - 10, "aria-hidden": "true" }, svg).textContent = `${force / 1000} kN`;
+  }
   for (const line of motion.lines || []) {
     for (const side of sides) if (line[side]) drawn.push(drawnLine(line, side, sides.length > 1, motion, svg));
   }
@@ -64,7 +70,10 @@ function drawnLine(line, side, several, motion, svg) {
   const pieces = moments ? moments[0].map(() => element("path", { class: "m-piece" }, svg)) : [];
   const name = line.words && !several ? element("text", { class: `m-name${line.marked ? " m-marked" : ""}`, "aria-hidden": "true" }, svg) : null;
   if (name) name.textContent = line.words;
+  const forces = motion.bars && line[side].forces;
+  const bar = forces ? element("rect", { class: `m-force m-of-${side}`, x: motion.bars[0] * 1000, y: -line.middle * 1000 - (several && side === "model" ? 0 : several ? 13 : 7), height: several ? 12 : 14 }, svg) : null;
   return (index, next, part) => {
+    if (bar) bar.setAttribute("width", ((forces[index] * (1 - part) + forces[next] * part) * motion.bars[1] * 1000).toFixed(1));
     const points = [];
     for (let k = 0; k < frames[0].length; k += 2) {
       points.push([0, 1].map((c) => mixed(frames[index], frames[next], k + c, part) * motion.unit * 1000));

@@ -183,3 +183,21 @@ def test_the_front_alone_is_shown_where_the_impactor_was_no_leg(extraction: Extr
     assert "Worst group: F2" in html
     assert "front alone" in html
     assert "Moments and ligaments" not in html
+
+
+def test_the_bars_beside_the_leg_are_the_contact_forces_of_the_document(
+    extraction: ExtractionResult, html: str
+) -> None:
+    motion = embedded(html)["motion"]
+    line = next(line for line in motion["lines"] if line["name"] == "F2")
+    path = next(path for path in extraction.paths if path.name == "leg – F2")
+    assert line["run"]["forces"] == pytest.approx(path.force, rel=0.01, abs=60)
+    assert max(line["model"]["forces"]) == pytest.approx(1.1 * max(line["run"]["forces"]), rel=0.01)
+    left, scale, measure = motion["bars"]
+    assert motion["box"][0] < left < left + scale * measure < -0.06  # left of the leg
+
+
+def test_links_at_the_top_lead_to_what_is_there(html: str) -> None:
+    targets = re.findall(r'<a href="#([a-z-]+)">', html[: html.index("Held to the run")])
+    assert len(targets) > 8
+    assert all(f'id="{target}"' in html for target in targets if target != "main")
