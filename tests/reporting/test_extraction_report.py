@@ -12,7 +12,8 @@ from support.synthetic_result import parsed
 from certkit.documents.extraction import ClosureResult, GroupResult, LawResult, MaterialResult, PathResult
 from certkit.errors import UsageError
 from certkit.identification import ExtractionResult
-from certkit.reporting.extraction_report import extraction_page, render_extraction
+from certkit.reporting.document_reports import render_document
+from certkit.reporting.extraction_report import extraction_page
 from certkit.reporting.figure_files import figure_files
 from certkit.reporting.figure_list import FIGURES
 from certkit.reporting.figures import drawn
@@ -126,7 +127,7 @@ def test_a_path_that_is_not_there_is_named(extraction: ExtractionResult) -> None
 
 
 def test_the_pdf_carries_the_extraction_it_shows(extraction: ExtractionResult, tmp_path: Path) -> None:
-    written = render_extraction(extraction, tmp_path, ["html", "pdf"])
+    written = render_document(extraction, tmp_path, ["html", "pdf"])
     assert {path.name for path in written} == {"extraction.html", "extraction.pdf"}
     with pikepdf.open(io.BytesIO((tmp_path / "extraction.pdf").read_bytes())) as pdf:
         attached = pdf.attachments["extraction.json"].get_file().read_bytes()
