@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from certkit.cli import options  # noqa: TC001  # typer reads annotations
+from certkit.cli import options  # typer reads annotations
 
 if TYPE_CHECKING:
     from certkit.documents.extraction import EnergyResult, ExtractionResult
@@ -44,7 +44,9 @@ def extract(
         bool, typer.Option("--unclosed", help="Write the vehicle though the impulse does not close.")
     ] = False,
     out: options.Out = None,
-    formats: options.Formats = DEFAULT_FORMATS,
+    formats: Annotated[
+        str, typer.Option("--format", help=options.reports_help("certkit-extraction/1"))
+    ] = DEFAULT_FORMATS,
     force: options.Force = False,
     overrides: options.Overrides = None,
     as_json: options.AsJson = False,

@@ -33,7 +33,10 @@ class Group(Section):
     and `springing back`, with the largest displacement of `outlines`, while it comes back.
     """
 
-    kind: Literal["fascia", "hood", "engine room"]
+    kind: Annotated[
+        Literal["fascia", "hood", "engine room"],
+        Field(description="`hood` is the bonnet; its lowest group is the bonnet leading edge."),
+    ]
     mass: Mass
     position: Annotated[
         Length | None, Field(description="x of the face at the middle of its height span.")
