@@ -54,12 +54,13 @@ class _Run:
 
     @property
     def time(self) -> Values:
+        """Return the axis, shape (n,), s."""
         times = np.array(self.result.times)
         return times[times <= self.until]
 
     @property
     def contacts(self) -> dict[str, tuple[Values, Values]]:
-        """Return impulse and force of the impactor on each group."""
+        """Return impulse (N·s) and force (N) of the impactor on each group, shape (n,) each."""
         impactors = {group.name for group in self.result.groups if group.kind == "impactor"}
         n = self.time.size
         return {

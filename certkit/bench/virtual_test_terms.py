@@ -70,7 +70,7 @@ def virtual_test_terms(
 
 
 def energies_of(recording: Recording, energies: Mapping[str, NDArray[np.float64]]) -> Histories | None:
-    """Return the run's energies over time, thinned out, for the page; None where it told none."""
+    """Return the run's energies over time (J, shape (n,) each), thinned out; None where it told none."""
     if not energies:
         return None
     every = -(-recording.time.size // MOST_POINTS)

@@ -180,7 +180,10 @@ def thinned(values: NDArray[np.float64], stride: int) -> NDArray[np.float64]:
 
 
 def plane_points(x: NDArray[np.float64], y: NDArray[np.float64], most: int) -> list[tuple[float, float]]:
-    """Return at most about `most` points of a curve in a plane, with its first, last and extreme ones."""
+    """Return at most about `most` points of a curve in a plane, with its first, last and extreme ones.
+
+    `x` and `y`, shape (n,) each, are in the units of the curve's axes, and so are the points.
+    """
     stride = max(1, -(-x.size // most))
     kept = sorted({*range(0, x.size, stride), x.size - 1, *_extremes(x), *_extremes(y)})
     return [(float(x[i]), float(y[i])) for i in kept]

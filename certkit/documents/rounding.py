@@ -31,7 +31,7 @@ def rounded(value: float) -> float:
 
 
 def rounded_all(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
-    """Round many values as `rounded` does; 20 times quicker from a few dozen on."""
+    """Round many values, shape (n,), as `rounded` does; 20 times quicker from a few dozen on."""
     import numpy as np  # noqa: PLC0415  # words and numbers are read without it
 
     given = np.asarray(values, dtype=np.float64)
@@ -58,8 +58,9 @@ SMALLEST_PEAK = 1e-290
 def rounded_series(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
     """Round the samples of one channel: seven digits each, and none finer than `FLOOR_DIGITS` of the largest.
 
-    A sample near zero is a difference of large numbers, and its own seven digits are the noise of a
-    processor's last bits: with and without fused multiply-add a few of 100,000 samples would round apart.
+    `values`, shape (n,), are in one unit, whichever it is. A sample near zero is a difference of large numbers,
+    and its own seven digits are the noise of a processor's last bits: with and without fused multiply-add a few
+    of 100,000 samples would round apart.
     """
     import numpy as np  # noqa: PLC0415  # as above
 

@@ -73,8 +73,8 @@ def common_base(
 
     Parameters
     ----------
-    parts : mapping of str to (TimeBase, ndarray)
-        Axis and values by the place messages name.
+    parts : mapping of str to (TimeBase, ndarray of shape (n,))
+        Axis (s) and values, SI, by the place messages name.
     leniency : Leniency
         Several axes are an error, or are brought by linear interpolation to the finest one over the time that
         all cover.
@@ -114,7 +114,7 @@ def common_base(
 
 
 def base_of_times(times: NDArray[np.float64], place: str, first_line: int) -> TimeBase:
-    """Recognise a uniform axis in a time column.
+    """Recognise a uniform axis in a time column, shape (n,), s.
 
     Raises
     ------

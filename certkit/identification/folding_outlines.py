@@ -57,7 +57,7 @@ def folding_outlines(
     ----------
     graph : Graph
     motion : NodeMotion
-    displacements : dict of str to ndarray
+    displacements : dict of str to ndarray, shape (n,)
         Of each group on the grid's axis, m.
     grid : Grid
     """

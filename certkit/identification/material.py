@@ -57,7 +57,8 @@ def convert(
     """Convert a path's law to engineering stress–strain and compare it with the material's curve.
 
     The comparison is the rms of the stress difference over the crushed range from `strain from` on, in per
-    cent of the material's largest stress there; `mean` is the mean relative difference, signed.
+    cent of the material's largest stress there. `history` is shortening (m) and force (N) of the path,
+    shape (n,) each; `area` is in m². `mean` is the mean relative difference, signed.
 
     Returns
     -------

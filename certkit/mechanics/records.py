@@ -63,11 +63,11 @@ def body_fields(record: type[Record]) -> tuple[str, ...]:
 
 
 def table_of(record: type[Record], rows: Iterable[Record] = ()) -> Structured:
-    """Return a table with these rows."""
+    """Return a table with these rows, shape (rows,)."""
     names = record_type(record).names or ()
     return np.array([tuple(getattr(row, n) for n in names) for row in rows], dtype=record_type(record))
 
 
 def blank(record: type[Record], *shape: int) -> Structured:
-    """Return a table of zeros."""
+    """Return a table of zeros of that shape."""
     return np.zeros(shape, dtype=record_type(record))

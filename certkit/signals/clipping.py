@@ -55,7 +55,7 @@ class Clipping:
 
 
 def find_clipping(values: NDArray[np.float64], amplitude_class: float | None = None) -> Clipping | None:
-    """Look for clipped samples in one channel; see `find_clippings`."""
+    """Look for clipped samples in one channel, SI, shape (n,); see `find_clippings`."""
     return find_clippings(values[np.newaxis], [amplitude_class])[0]
 
 

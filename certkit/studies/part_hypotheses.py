@@ -60,11 +60,11 @@ class Compared:
     trigger: float
 
     def stacked(self, curves: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
-        """Return curves of all channels one after the other, each in units of its noise."""
+        """Return curves one after the other, each in units of its noise: shape (m,) from (n,) each, SI."""
         return np.concatenate([curves[name] / self.noise[name] for name in self.values])
 
     def inverse_covariance(self) -> NDArray[np.float64]:
-        """Return C⁻¹ of the stacked samples."""
+        """Return C⁻¹ of the m stacked samples, shape (m, m), without unit."""
         size = sum(row.size for row in self.values.values())
         covariance = np.eye(size)
         start = 0
@@ -127,12 +127,18 @@ class PartHypothesis:
         unchanged: Mapping[str, NDArray[np.float64]],
         usual: float,
     ) -> Self:
-        """Take the derivative from a change of half of what is usual, to both sides."""
+        """Take the derivative from a change of half of what is usual, to both sides.
+
+        Curves are SI, by channel, shape (n,) each.
+        """
         up, down = model(usual / 2), model(-usual / 2)
         return cls(model, unchanged, {name: (up[name] - down[name]) / usual for name in up}, usual)
 
     def straight(self, compared: Compared, weights: NDArray[np.float64]) -> PartFit:
-        """Return the best change as if the model were straight; without running it."""
+        """Return the best change as if the model were straight; without running it.
+
+        `weights` are C⁻¹, shape (m, m).
+        """
         left = compared.stacked(compared.values) - compared.stacked(self.unchanged)
         slope = compared.stacked(self.slope)
         curvature = float(slope @ weights @ slope) + self.usual**-2
@@ -141,7 +147,10 @@ class PartHypothesis:
         return PartFit(change, curvature**-0.5, misfit_of(curves, compared, weights), curves)
 
     def refined(self, first: PartFit, compared: Compared, weights: NDArray[np.float64]) -> PartFit:
-        """Return the best change by running the model at it; no farther off than thrice what is usual."""
+        """Return the best change by running the model at it; no farther off than thrice what is usual.
+
+        `weights` are C⁻¹, shape (m, m).
+        """
         target, slope = compared.stacked(compared.values), compared.stacked(self.slope)
         change, curves = max(-3 * self.usual, min(3 * self.usual, first.change)), first.curves
         for _ in range(STEPS):
@@ -157,6 +166,6 @@ class PartHypothesis:
 def misfit_of(
     curves: Mapping[str, NDArray[np.float64]], compared: Compared, weights: NDArray[np.float64]
 ) -> float:
-    """Return χ² of curves against the recording."""
+    """Return χ² of curves (SI, shape (n,) each) against the recording; `weights` are C⁻¹, shape (m, m)."""
     left = compared.stacked(compared.values) - compared.stacked(curves)
     return float(left @ weights @ left)

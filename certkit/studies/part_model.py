@@ -76,7 +76,7 @@ class PartModel:
         return ("%", 100.0) if part.usual_share is not None else (self._values[part.part][0][1], 1.0)
 
     def changed(self, part: SuspectPart, change: float) -> dict[str, NDArray[np.float64]]:
-        """Return the curves with one part changed; see `curves`."""
+        """Return the curves, shape (places,) each, with one part changed; see `curves`."""
         shares = part.usual_share is not None
         values = self._values[part.part]
         return self.curves(
@@ -87,7 +87,7 @@ class PartModel:
         )
 
     def curves(self, changes: Mapping[str, str]) -> dict[str, NDArray[np.float64]]:
-        """Simulate, and return bone moments and elongations at the places, SI, by channel."""
+        """Simulate, and return bone moments (N·m) and elongations (m) by channel, shape (places,) each."""
         from certkit.mechanics import simulate  # noqa: PLC0415  # the solver waits until something is run
 
         setup = self._trial.prepared(self.procedure, changes)
@@ -95,7 +95,7 @@ class PartModel:
         return self.at_places(Filtered(recording, [(name, self.filter) for name in gauges_of(recording)]))
 
     def at_places(self, filtered: Filtered) -> dict[str, NDArray[np.float64]]:
-        """Return gauges of a recording, filtered, at the places."""
+        """Return gauges of a recording, filtered, SI, shape (places,) each."""
         time = filtered.recording.time
         return {
             name: np.interp(self.places, time, filtered.values(name, self.filter))

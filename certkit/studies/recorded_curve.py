@@ -89,7 +89,7 @@ class RecordedCurve:
         return np.linspace(self.start, self.end, self.points + 1)[1:]
 
     def recorded(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the recorded curve by straight lines between samples."""
+        """Return the recorded curve, SI, at abscissas of shape (n,), by straight lines between samples."""
         return np.asarray(np.interp(at, self.x, self.y), dtype=np.float64)
 
     @property
@@ -147,6 +147,8 @@ def curve_of(
     filtered: Filtered, abscissa: str, ordinate: str, words: str
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return a recording's channel over time, or over another channel where that one first reaches a value.
+
+    Abscissa and ordinate, SI, have the shape (n,).
 
     Raises
     ------

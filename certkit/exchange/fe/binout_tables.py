@@ -76,7 +76,7 @@ class BinoutTables:
         return [known[number] for number in joined.ids]
 
     def times(self, table: str, scale: float, *, until: float | None = None) -> Values:
-        """Return a table's own times in seconds, which must reach `until`, the end of matsum."""
+        """Return a table's own times, shape (n,), s, which must reach `until`, the end of matsum."""
         times = self._table(table).time * scale
         require_time_axis(times, f"{self._source}: {table}")
         if until is not None and times[-1] + 1.01 * float(np.diff(times).max()) < until:

@@ -60,7 +60,7 @@ def _unpacked(raw: bytes, path: Path) -> bytes:
 
 
 def require_time_axis(time: NDArray[np.float64], source: str) -> None:
-    """Refuse a time axis that is too short, not finite or not strictly increasing."""
+    """Refuse a time axis, shape (n,), of any unit: too short, not finite or not strictly increasing."""
     if time.size < FEWEST_ROWS:
         raise DataError(
             f"{source}: only {time.size} rows; an impact needs at least {FEWEST_ROWS}: write "
@@ -79,7 +79,7 @@ def require_time_axis(time: NDArray[np.float64], source: str) -> None:
 
 
 def require_finite(values: NDArray[np.float64], name: str, source: str) -> None:
-    """Refuse values that are not finite: a missing number never passes."""
+    """Refuse values, shape (n,), that are not finite: a missing number never passes."""
     bad = np.flatnonzero(~np.isfinite(values))
     if bad.size:
         raise DataError(

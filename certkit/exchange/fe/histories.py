@@ -160,7 +160,7 @@ class PartHistories:
         return self.parts[match_one(pattern, self.parts, "part", self.source)]
 
     def node(self, pattern: str) -> Values:
-        """Return the x displacement of the node of that name or glob pattern."""
+        """Return the x displacement (m), shape (n,), of the node of that name or glob pattern."""
         return self.nodes[match_one(pattern, self.nodes, "node", self.source)]
 
     def contact(self, pattern: str) -> ContactHistory:

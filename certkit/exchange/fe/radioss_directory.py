@@ -120,7 +120,10 @@ def require_units(directory: HistoryDirectory, units: Units, words: str, source:
 def read_instants(
     records: FortranRecords, directory: HistoryDirectory, source: str
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Read time and all values; every instant must have the records that the directory announces."""
+    """Read time, shape (n,), and all values, shape (n, values), in the file's own units.
+
+    Every instant must have the records that the directory announces.
+    """
     widths = [1, len(directory.globals_), sum(len(v) for _, v in directory.parts), directory.subset_width]
     widths += [len(g.names) * len(g.variables) for g in directory.groups]
     widths = [w for w in widths if w]

@@ -72,7 +72,7 @@ def _added_mass(energies: Mapping[str, Samples]) -> float | None:
 
 
 def contact_sample(force: Values) -> int | None:
-    """Return the last sample before a contact force leaves zero; None where it never does.
+    """Return the last sample before a contact force (N, shape (n,)) leaves zero; None where it never does.
 
     It leaves zero where it first exceeds 0.5 % of its peak; a run that begins in contact has its first
     sample there.

@@ -34,7 +34,7 @@ class Samples:
     values: Values
 
     def at(self, time: Values) -> Values:
-        """Return the values at other times, by linear interpolation."""
+        """Return the values at other times (s, shape (m,)), by linear interpolation."""
         return np.interp(time, self.time, self.values)
 
 

@@ -154,7 +154,7 @@ class RadiossRun:
 
 
 def rate_of(impulse: Values, time: Values) -> Values:
-    """Return (J[i+1] − J[i−1]) / (t[i+1] − t[i−1]), one-sided at both ends."""
+    """Return (J[i+1] − J[i−1]) / (t[i+1] − t[i−1]), one-sided at both ends: N, of N·s and s, shape (n,)."""
     rate = np.empty_like(impulse)
     rate[1:-1] = (impulse[2:] - impulse[:-2]) / (time[2:] - time[:-2])
     rate[0] = (impulse[1] - impulse[0]) / (time[1] - time[0])

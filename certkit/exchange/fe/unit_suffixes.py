@@ -28,7 +28,7 @@ SUFFIXES = {
 
 
 def time_axis(table: NumericTable, name: str) -> Values:
-    """Return a table's time in seconds; the name of its column has to end in the unit."""
+    """Return a table's time, shape (n,), s; the name of its column has to end in the unit."""
     if name not in table.columns:
         match_one(name, table.columns, "column", table.source)
     suffix = name.rsplit("_", 1)[-1]

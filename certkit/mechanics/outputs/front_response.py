@@ -24,7 +24,7 @@ def front_response(rig: RigAssembly, run: Trajectory, readings: Mapping[str, Flo
     """Return the front's histories from first contact on, thinned out; None where no vehicle was hit.
 
     What a face received from the leg is ∫F dx over the movement of its group, what a spring absorbed ∫F dx
-    over its shortening, both over all samples.
+    over its shortening, both over all samples. `readings`, SI, have the shape (samples,).
     """
     if rig.front is None:
         return None

@@ -116,7 +116,7 @@ def kinetic_energy(
     """Return Σ ½·m·v² + ½·J·ω² at an instant between two half steps, J.
 
     v = v_before + share·(v_after - v_before), with `before` half a step earlier and `motion` half a step
-    later.
+    later. `mass` (kg) and `inertia` (kg·m²) have the shape (bodies,).
     """
     total = 0.0
     for i in range(mass.shape[0]):

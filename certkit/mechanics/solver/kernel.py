@@ -105,7 +105,10 @@ def write_loads(run: KernelArguments) -> None:
 def add_up(
     totals: Rows[Totals], dissipated: Floats, accounts: Rows[AccountFigures]
 ) -> tuple[float, float, float]:
-    """Write energies by account; return contact force (N), penetration (m), flesh depth over thickness."""
+    """Write energies by account; return contact force (N), penetration (m), flesh depth over thickness.
+
+    `dissipated` (J), like `totals` and `accounts`, has the shape (accounts,).
+    """
     force = deepest = flesh = 0.0
     for a in range(len(totals)):
         accounts[a].stored = totals[a].stored

@@ -67,7 +67,7 @@ def find_basins(misfit: Misfit, search: Search, tell: Tell) -> list[Basin]:
 
 
 def basin_at(misfit: Misfit, start: str, shares: NDArray[np.float64]) -> Basin:
-    """Return the basin whose bottom is at these shares."""
+    """Return the basin whose bottom is at these shares of the bounds, shape (k,)."""
     residuals = misfit.one(shares)
     goals = residuals[: len(misfit.goals)] / np.array([goal.weight for goal in misfit.goals])
     return Basin(start, shares, float(residuals @ residuals), float(np.sqrt(np.mean(goals**2))))

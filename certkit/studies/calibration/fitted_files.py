@@ -63,7 +63,7 @@ def write_fit(calibration: Calibration, folder: Path) -> list[Path]:
 
 
 def write_family(calibration: Calibration, members: NDArray[Any], path: Path) -> None:
-    """Write the family's file; members are numbered from 1."""
+    """Write the family's file; `members` are shares of the bounds, shape (m, k), and numbered from 1."""
     sheet = calibration.task.sheet
     today = {path: calibration.task.trial.today(path) for path, _ in changes(calibration, calibration.shares)}
     document = {
@@ -103,7 +103,10 @@ def _member(calibration: Calibration, row: NDArray[Any], today: Mapping[str, str
 
 
 def changes(calibration: Calibration, shares: NDArray[Any]) -> list[tuple[str, str]]:
-    """Return path, with its procedure before it where it has one, and quantity of all that a place sets."""
+    """Return path and quantity of all that a place sets; a procedure's path has the procedure before it.
+
+    `shares` of the bounds, shape (k,), are the place.
+    """
     trial = calibration.task.trial
     found = []
     for name, value in calibration.task.space.point(shares).items():
@@ -115,7 +118,10 @@ def changes(calibration: Calibration, shares: NDArray[Any]) -> list[tuple[str, s
 
 
 def report(calibration: Calibration, members: NDArray[Any] | None = None) -> CalibrationReport:
-    """Return the document of a calibration, with figures of its family where one was found."""
+    """Return the document of a calibration, with figures of its family where one was found.
+
+    `members` are shares of the bounds, shape (m, k).
+    """
     task, known = calibration.task, calibration.knowledge
     before, after = calibration.before.outputs, calibration.after.outputs
     return CalibrationReport(

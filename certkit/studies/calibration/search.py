@@ -73,7 +73,7 @@ class Misfit:
 
 
 def everywhere(misfit: Misfit, search: Search, tell: Tell) -> NDArray[np.float64]:
-    """Search the whole space; return the best shares found."""
+    """Search the whole space; return the best shares of the bounds found, shape (k,)."""
     start = np.clip(misfit.space.start, 0, 1)
     if not search.generations:
         return start
@@ -117,7 +117,7 @@ def everywhere(misfit: Misfit, search: Search, tell: Tell) -> NDArray[np.float64
 def downhill(
     misfit: Misfit, shares: NDArray[np.float64], steps: int, tell: Tell, *, one_sided: bool = False
 ) -> NDArray[np.float64]:
-    """Go to the bottom of the valley by least squares within the bounds; return the shares there."""
+    """Go to the bottom of the valley by least squares; return the shares of the bounds there, shape (k,)."""
     if not steps:
         return shares
     from scipy.optimize import least_squares  # noqa: PLC0415  # slow to import

@@ -66,7 +66,10 @@ class Goal:
 
 
 def distances(goals: Sequence[Goal], outcome: Outcome) -> NDArray[np.float64]:
-    """Return the distance of each value, and of each curve as the root mean square over its places."""
+    """Return the distance of each value, and of each curve as the root mean square over its places.
+
+    In units of each goal's `scale`, shape (values and curves,).
+    """
     groups: dict[str, list[float]] = {}
     for goal in goals:
         groups.setdefault(goal.curve or goal.name, []).append(goal.distance(outcome.outputs.get(goal.name)))
@@ -134,7 +137,7 @@ def residuals(
 
     The sum of their squares is what the fit makes small. A parameter with a prior is drawn to its mean, any
     other to the middle of its bounds with the strength `pull`: 1 is as much as bounds really tell, less
-    lets the tests decide and still makes the answer unique.
+    lets the tests decide and still makes the answer unique. Shape (goals + parameters,), without unit.
     """
     values = [goal.weight * goal.distance(outcome.outputs.get(goal.name)) for goal in goals]
     pulls = [

@@ -26,7 +26,7 @@ class FullFactorial(StudyDesign):
     def points(
         self, design: Design, factors: Sequence[Factor], correlation: NDArray[np.float64] | None
     ) -> list[Point]:
-        """Return its runs."""
+        """Return its runs; `correlation`, shape (k, k), has no part in them."""
         del correlation
         return full_factorial(factors, design.levels)
 

@@ -26,7 +26,7 @@ class LatinHypercube(StudyDesign):
     def points(
         self, design: Design, factors: Sequence[Factor], correlation: NDArray[np.float64] | None
     ) -> list[Point]:
-        """Return its runs."""
+        """Return its runs; the ranks of the k factors correlate by `correlation`, shape (k, k)."""
         return latin_hypercube(factors, design.runs or 1, design.seed, correlation)
 
 

@@ -30,7 +30,7 @@ class Morris(StudyDesign):
     def points(
         self, design: Design, factors: Sequence[Factor], correlation: NDArray[np.float64] | None
     ) -> list[Point]:
-        """Return its runs."""
+        """Return its runs; `correlation`, shape (k, k), has no part in them."""
         del correlation
         return morris_design(factors, design.trajectories, design.seed)
 

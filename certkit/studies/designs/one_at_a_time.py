@@ -29,7 +29,7 @@ class OneAtATime(StudyDesign):
     def points(
         self, design: Design, factors: Sequence[Factor], correlation: NDArray[np.float64] | None
     ) -> list[Point]:
-        """Return its runs."""
+        """Return its runs; `correlation`, shape (k, k), has no part in them."""
         del correlation
         return one_at_a_time(factors, design.levels)
 

@@ -29,7 +29,7 @@ def at_shares(factors: Sequence[Factor], shares: NDArray[np.float64]) -> list[Po
 def correlation_matrix(
     factors: Sequence[Factor], pairs: Sequence[tuple[str, str, float]]
 ) -> NDArray[np.float64] | None:
-    """Build the matrix of correlation coefficients; None when nothing is correlated.
+    """Build the matrix of correlation coefficients, shape (k, k); None when nothing is correlated.
 
     Raises
     ------
@@ -51,7 +51,10 @@ def correlation_matrix(
 
 
 def correlated(shares: NDArray[np.float64], matrix: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """Reorder each column so that the ranks correlate (Iman and Conover 1982)."""
+    """Reorder each column so that the ranks correlate by a matrix.
+
+    `shares` have the shape (runs, k), the matrix has (k, k). Source: Iman and Conover 1982.
+    """
     if matrix is None:
         return shares
     from scipy.special import ndtri  # noqa: PLC0415  # scipy is slow to import

@@ -33,7 +33,7 @@ class SobolIndices(StudyDesign):
     def points(
         self, design: Design, factors: Sequence[Factor], correlation: NDArray[np.float64] | None
     ) -> list[Point]:
-        """Return its runs."""
+        """Return its runs; `correlation`, shape (k, k), has no part in them."""
         del correlation
         return sobol_design(factors, design.samples, design.seed)
 

@@ -26,14 +26,17 @@ class SobolSequence(StudyDesign):
     def points(
         self, design: Design, factors: Sequence[Factor], correlation: NDArray[np.float64] | None
     ) -> list[Point]:
-        """Return its runs."""
+        """Return its runs; the ranks of the k factors correlate by `correlation`, shape (k, k)."""
         return sobol_sequence(factors, design.runs or 1, design.seed, correlation)
 
 
 def sobol_sequence(
     factors: Sequence[Factor], runs: int, seed: int, correlation: NDArray[np.float64] | None = None
 ) -> list[Point]:
-    """Fill the space evenly with a scrambled Sobol sequence, rounded up to a power of two."""
+    """Fill the space evenly with a scrambled Sobol sequence, rounded up to a power of two.
+
+    The ranks of the k factors correlate by `correlation`, shape (k, k).
+    """
     from scipy.stats import qmc  # noqa: PLC0415  # scipy is slow to import
 
     power = (runs - 1).bit_length()

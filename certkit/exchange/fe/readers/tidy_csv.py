@@ -128,7 +128,7 @@ class _Columns:
         return name in self._columns
 
     def require(self, template: str, star: str, dimension: str) -> Values:
-        """Return the column in SI; `*` in the template is replaced by `star`."""
+        """Return the column in SI, shape (n,); `*` in the template is replaced by `star`."""
         name = template.replace("*", star)
         if name not in self._columns:
             match_one(name, self._columns, "column", self.source)
@@ -142,7 +142,7 @@ class _Columns:
         return values * SUFFIXES[suffix][1]
 
     def get(self, template: str | None, star: str, dimension: str) -> Values | None:
-        """Return the column, or None where a `*` template has none for this part or no column was named."""
+        """Return the column in SI, shape (n,); None where there is none for this part, or none is named."""
         if template is None or ("*" in template and template.replace("*", star) not in self._columns):
             return None
         return self.require(template, star, dimension)
