@@ -14,7 +14,7 @@ from certkit.bench.package_versions import package_versions
 from certkit.bench.point_sources import CampaignFiles, load_point_source
 from certkit.bench.result_folder import distinct_names
 from certkit.definitions.campaign import RANK
-from certkit.definitions.loading.library import load, shelves
+from certkit.definitions.loading.library import load, stores
 from certkit.definitions.units import parse_quantity
 from certkit.documents.campaign_report import CampaignReport, CarFront, PointReport
 from certkit.documents.result import InputFile, Provenance
@@ -96,9 +96,9 @@ def assess(
     path = Path(car)
     loaded = load("campaign", path, library=library)
     sheet = cast("Campaign", loaded.document)
-    shelf = (*shelves(library), path.parent)
-    terms, used = campaign_schemes(sheet, shelf)
-    files = CampaignFiles(sheet, path.parent, shelf, terms[0].scheme.impactor, unverified)
+    store = (*stores(library), path.parent)
+    terms, used = campaign_schemes(sheet, store)
+    files = CampaignFiles(sheet, path.parent, store, terms[0].scheme.impactor, unverified)
     points, read = [], []
     results: dict[str, Result] = {}
     folders = distinct_names([(_plain(point.point), "") for point in sheet.points])

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
-from certkit.bench.regrade import embedded_shelf
+from certkit.bench.regrade import embedded_store
 from certkit.bench.sources import Source, load_source
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.channel_tables import all_channels
-from certkit.definitions.loading.library import load, shelves
+from certkit.definitions.loading.library import load, stores
 from certkit.definitions.loading.validation import read_document
 from certkit.documents.comparison import Side
 from certkit.documents.result import InputFile
@@ -111,7 +111,7 @@ def _procedure(named: str | Path | None, sources: tuple[Source, ...], library: L
         return load("procedure", named, library=library).document
     for result in (source.result for source in sources if source.result):
         return load(
-            "procedure", result.procedure, library=(*shelves(library), embedded_shelf(result))
+            "procedure", result.procedure, library=(*stores(library), embedded_store(result))
         ).document
     return None
 

@@ -190,8 +190,8 @@ def open_confirmation(
             f"`{title}` is no title; write title and edition, such as --title 'UN R127, 02 series'"
         )
     folder = Path(library)
-    shelf = (folder,) if folder.is_dir() and any(folder.rglob("*.y*ml")) else ()
-    loaded = _load(definition, kind, shelf)
+    store = (folder,) if folder.is_dir() and any(folder.rglob("*.y*ml")) else ()
+    loaded = _load(definition, kind, store)
     session = ConfirmationSession(
         loaded,
         folder,

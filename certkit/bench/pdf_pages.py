@@ -1,4 +1,4 @@
-"""Pages of a PDF as text, pictures and annotations, by PDFium, which is made for files nobody vouches for."""
+"""Pages of a PDF as text, images and annotations, by PDFium, which is made for files nobody vouches for."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class PdfPage:
     width: float
     height: float
     text: str
-    picture: NDArray[np.uint8]
+    image: NDArray[np.uint8]
     colours: bytes
     annotations: tuple[Annotation, ...]
 

@@ -6,11 +6,10 @@ from dataclasses import dataclass
 from hashlib import sha256
 from typing import TYPE_CHECKING
 
-from certkit.bench.carried_results import result_at
 from certkit.bench.grade_measurement import grade
-from certkit.bench.regrade import embedded_shelf
+from certkit.bench.regrade import embedded_channels
+from certkit.bench.results_at_path import result_at
 from certkit.bench.run_simulation import run
-from certkit.definitions.loading.channel_tables import legform_channels
 from certkit.definitions.units import UNITS, dimensions, parse_quantity
 from certkit.documents.campaign_report import PointValue, SourceReport
 from certkit.documents.result import InputFile, Result
@@ -186,14 +185,10 @@ def _unusable(result: Result) -> Reason | None:
 
 
 def _other_impactor(result: Result, files: CampaignFiles) -> Reason | None:
-    shelf = embedded_shelf(result)
-    carried = [name for kind, name in shelf.texts if kind == "legform"]
-    if not carried:
+    channels = embedded_channels(result)
+    if channels is None or channels.impactor == files.impactor:
         return None
-    impactor = legform_channels(carried[0], (shelf,)).impactor
-    if impactor == files.impactor:
-        return None
-    return Reason.of("of-other-impactor", impactor=impactor, wanted=files.impactor)
+    return Reason.of("of-other-impactor", impactor=channels.impactor, wanted=files.impactor)
 
 
 def _value(criterion: CriterionResult) -> PointValue:

@@ -11,8 +11,9 @@ from certkit.bench.model_origins import fits_of, fitted_to, model_remarks
 from certkit.bench.setup import prepare, without_model
 from certkit.bench.virtual_test_terms import virtual_test_terms
 from certkit.definitions.channel_mapping import Mapping
+from certkit.definitions.loading.channel_tables import legform_channels
 from certkit.definitions.loading.kinds import KINDS
-from certkit.definitions.loading.search_path import TextShelf
+from certkit.definitions.loading.search_path import TextStore
 from certkit.definitions.loading.validation import validate
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.channel_curves import recording_of
@@ -33,14 +34,14 @@ if TYPE_CHECKING:
     from certkit.documents.result import Result
 
 
-def embedded_shelf(result: Result) -> TextShelf:
+def embedded_store(result: Result) -> TextStore:
     """Return the definitions that a result carries, as a place where definitions are looked for."""
     texts = {}
     for item in result.provenance.inputs:
         if item.text is not None and item.role in KINDS:
             name = read_tree(item.text, item.path).data.get(item.role)
             texts[item.role, str(name)] = item.text
-    return TextShelf(texts)
+    return TextStore(texts)
 
 
 def simulated_here(result: Result) -> bool:
@@ -49,7 +50,14 @@ def simulated_here(result: Result) -> bool:
     return result.kind == "virtual certification" and not recorded
 
 
-def carried_setup(result: Result) -> Setup:
+def embedded_channels(result: Result) -> ChannelTable | None:
+    """Return the channels of the legform whose definition a result carries; None where it carries none."""
+    store = embedded_store(result)
+    legform = next((name for kind, name in store.texts if kind == "legform"), None)
+    return None if legform is None else legform_channels(legform, (store,))
+
+
+def embedded_setup(result: Result) -> Setup:
     """Return the procedure and all that it names from what a result carries, with its changed values.
 
     Raises
@@ -59,8 +67,8 @@ def carried_setup(result: Result) -> Setup:
     DefinitionError
         When a carried definition cannot be used any more.
     """
-    shelf = embedded_shelf(result)
-    if ("procedure", result.procedure) not in shelf.texts:
+    store = embedded_store(result)
+    if ("procedure", result.procedure) not in store.texts:
         raise DataError(
             f"the document does not carry its procedure `{result.procedure}`; it cannot be graded again"
             "; run or grade it anew"
@@ -68,7 +76,7 @@ def carried_setup(result: Result) -> Setup:
     overrides = {change.path: change.value for change in result.provenance.overrides}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", OldFormWarning)  # whoever verifies did not write them
-        setup = prepare(result.procedure, library=(shelf,), overrides=overrides)
+        setup = prepare(result.procedure, library=(store,), overrides=overrides)
     return setup if simulated_here(result) else without_model(setup)
 
 
@@ -88,14 +96,14 @@ def regrade(result: Result) -> Result:
     DefinitionError
         When a carried definition cannot be used any more.
     """
-    setup = carried_setup(result)
+    setup = embedded_setup(result)
     channels = setup.legform.channel_table
     recording = recording_of(result, table=channels)
     laboratory = _laboratory(result, channels)
     if recording.kind == "virtual":
-        shelf = embedded_shelf(result)
-        mapping = carried_mapping(result, channels)
-        laboratory = virtual_test_terms(laboratory, setup.procedure, recording, mapping, (shelf,))
+        store = embedded_store(result)
+        mapping = embedded_mapping(result, channels)
+        laboratory = virtual_test_terms(laboratory, setup.procedure, recording, mapping, (store,))
     # What was let pass then is let pass now, and listed in the document's notes.
     measured = measure_all(setup.procedure, recording, lenient=True)
     again = evaluate(
@@ -107,7 +115,7 @@ def regrade(result: Result) -> Result:
     return worded(again)
 
 
-def carried_mapping(result: Result, channels: ChannelTable) -> Mapping | None:
+def embedded_mapping(result: Result, channels: ChannelTable) -> Mapping | None:
     """Return the mapping that a result carries; None where it was graded without one."""
     for item in result.provenance.inputs:
         if item.role == "mapping" and item.text is not None:

@@ -6,7 +6,7 @@ import math
 from collections import defaultdict
 from typing import TYPE_CHECKING
 
-from certkit.bench.carried_results import carried_results
+from certkit.bench.results_at_path import results_at
 from certkit.bench.verify_grading import grading_checks
 from certkit.documents.round_robin_report import (
     CriterionPrecision,
@@ -105,7 +105,7 @@ def _read(certificates: Sequence[str | Path], *, unverified: bool) -> list[tuple
     faults: list[str] = []
     for path in certificates:
         try:
-            for place, result in carried_results(path, unverified=unverified):
+            for place, result in results_at(path, unverified=unverified):
                 entry = entry_of(result, place)
                 name = str((result.laboratory or {}).get("laboratory") or "").strip()
                 if not name:

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.bench.carried_results import result_at
-from certkit.bench.regrade import embedded_shelf
-from certkit.definitions.loading.channel_tables import known_channels, legform_channels
+from certkit.bench.regrade import embedded_channels
+from certkit.bench.results_at_path import result_at
+from certkit.definitions.loading.channel_tables import known_channels
 from certkit.documents.channel_curves import recording_of
 from certkit.documents.result import Result
 from certkit.documents.unverified import MARK, is_marked
@@ -72,9 +72,7 @@ def load_source(
 
 def _recording(result: Result) -> Recording:
     """Return a result's recording, with the channels of the legform whose definition it carries."""
-    shelf = embedded_shelf(result)
-    carried = [name for kind, name in shelf.texts if kind == "legform"]
-    return recording_of(result, table=legform_channels(carried[0], (shelf,)) if carried else None)
+    return recording_of(result, table=embedded_channels(result))
 
 
 def _label(path: Path) -> str:

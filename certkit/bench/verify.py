@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from certkit.bench.pdf_attachments import attachments_of
 from certkit.bench.verification import Check, Verification, fails, holds, judged
-from certkit.bench.verify_attachments import carried_checks, manifest_checks
+from certkit.bench.verify_attachments import attachment_checks, manifest_checks
 from certkit.bench.verify_campaign import campaign_checks
 from certkit.bench.verify_document import document_checks, table_check
 from certkit.bench.verify_grading import grading_checks
@@ -163,7 +163,7 @@ def _pdf(path: Path, wanted: Wanted, *, content_too: bool = True) -> Verificatio
         result = _result(held, name, checks)
         results.append(result)
         checks += document_checks(name, held, result, bytes_matter=False)
-        checks += carried_checks(attached, result, prefix)
+        checks += attachment_checks(attached, result, prefix)
         table = attached.files.get(f"{prefix}channels.csv")
         if table is not None:
             checks.append(table_check(f"{prefix}channels.csv", table, result))

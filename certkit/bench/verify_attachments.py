@@ -27,7 +27,7 @@ def manifest_checks(attached: Attached) -> Iterator[Check]:
             yield judged(name, same, "attachment-changed")
 
 
-def carried_checks(attached: Attached, result: Result, prefix: str) -> Iterator[Check]:
+def attachment_checks(attached: Attached, result: Result, prefix: str) -> Iterator[Check]:
     """Check that the attached definitions are those that the attached document carries."""
     for part in enclosures(result, prefix):
         if part.role in {"result", "channels"}:

@@ -10,7 +10,7 @@ from certkit.bench.compare_documents import differences
 from certkit.bench.verification import Check, fails, holds, judged, unchecked
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import load
-from certkit.definitions.loading.search_path import TextShelf
+from certkit.definitions.loading.search_path import TextStore
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.result import Result
 from certkit.errors import CertkitError
@@ -42,18 +42,18 @@ def campaign_checks(folder: Path, document: CampaignReport) -> Iterator[Check]:
         digests = {hashlib.sha256(mark + item.text.encode()).hexdigest() for mark in (b"", b"\xef\xbb\xbf")}
         yield judged(f"campaign: {item.role} {item.path}", item.sha256 in digests, "input-changed")
         texts[item.role, str(read_tree(item.text, item.path).data.get(item.role))] = item.text
-    yield _judged_again(document, TextShelf(texts))
+    yield _judged_again(document, TextStore(texts))
     for point in document.points:
         for source in point.sources:
             if source.folder:
                 yield _beside(folder, f"point {point.name}: {source.kind}", source)
 
 
-def _judged_again(document: CampaignReport, shelf: TextShelf) -> Check:
+def _judged_again(document: CampaignReport, store: TextStore) -> Check:
     what = "campaign: judged again"
     try:
-        sheet = cast("Campaign", load("campaign", document.campaign, library=(shelf,)).document)
-        terms, _ = campaign_schemes(sheet, (shelf,))
+        sheet = cast("Campaign", load("campaign", document.campaign, library=(store,)).document)
+        terms, _ = campaign_schemes(sheet, (store,))
         made = [worded(judge_car(each, document.points, symmetric=sheet.car.symmetric)) for each in terms]
     except CertkitError as error:
         return fails(what, "not-judgeable", error=str(error))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from certkit._version import __version__
 from certkit.bench.compare_documents import differences
 from certkit.bench.model_origins import fits_of
-from certkit.bench.regrade import carried_setup, regrade, simulated_here
+from certkit.bench.regrade import embedded_setup, regrade, simulated_here
 from certkit.bench.verification import Check, fails, holds, judged, left_out, unchecked
 from certkit.errors import CertkitError
 
@@ -140,7 +140,7 @@ def _field_check(name: str, result: Result, again: Result) -> Check:
     if name in {"remarks", "coded_remarks"} and any(c.spread for c in result.criteria):
         before = [each for each in before if each in after]  # those on the family are of its runs
     found = [each for each in differences(before, after, name) if not each.place.endswith(".text")]
-    if found and "remarks" in name and simulated_here(result) and not fits_of(carried_setup(result)):
+    if found and "remarks" in name and simulated_here(result) and not fits_of(embedded_setup(result)):
         return unchecked(what, "fits-not-known", place=found[0].place)
     if found and _other_numbers(name, result, again):
         return fails(what, "field-differs", place=name, said=result.decision_rule, made=again.decision_rule)
@@ -172,7 +172,7 @@ def _other_numbers(name: str, result: Result, again: Result) -> bool:
 def _override_check(result: Result) -> Check:
     """Check that the changed values are told as they were: what each was before."""
     what = "graded again: overrides"
-    setup = carried_setup(result)
+    setup = embedded_setup(result)
     made = {change.path: change for change in setup.overrides}
     for change in result.provenance.overrides:
         now = made.get(change.path)

@@ -104,7 +104,7 @@ def page_checks(content: bytes, pages: Sequence[PdfPage], printed: Printed) -> I
         What they should be.
     """
     made = printed.made
-    blank = [number for number, page in enumerate(pages, 1) if not page.text and page.picture.min() > 250]
+    blank = [number for number, page in enumerate(pages, 1) if not page.text and page.image.min() > 250]
     if isinstance(made, Check):
         yield from (fails(WHAT, "page-blank", page=number) for number in blank)
         for number, page in enumerate(pages, 1):
@@ -160,10 +160,10 @@ def _first_difference(said: str, made: str) -> tuple[str, str]:
 
 
 def _other_dots(said: PdfPage, made: PdfPage) -> str:
-    """Return where two pictures differ, in millimetres from the upper left corner; empty where nowhere."""
-    if said.picture.shape != made.picture.shape:
+    """Return where two images differ, in millimetres from the upper left corner; empty where nowhere."""
+    if said.image.shape != made.image.shape:
         return "its edges"
-    other = said.picture != made.picture
+    other = said.image != made.image
     if not other.any():
         return "" if said.colours == made.colours else "its colours"
     down, across = (values.mean() * 25.4 / 72 for values in np.nonzero(other))

@@ -86,8 +86,8 @@ def update_checks(before: Sequence[PdfPage], now: Sequence[PdfPage]) -> Iterator
         yield fails(WHAT, "pages-added-by-update", before=len(before), now=len(now))
         return
     for number, (old, new) in enumerate(zip(before, now, strict=True), 1):
-        same = old.text == new.text and old.picture.shape == new.picture.shape
-        if not same or not np.array_equal(old.picture, new.picture):
+        same = old.text == new.text and old.image.shape == new.image.shape
+        if not same or not np.array_equal(old.image, new.image):
             yield fails(WHAT, "pages-changed-by-update", page=number)
 
 

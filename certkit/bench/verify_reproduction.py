@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from certkit._version import __version__
 from certkit.bench.compare_documents import differences
-from certkit.bench.regrade import carried_setup, simulated_here
+from certkit.bench.regrade import embedded_setup, simulated_here
 from certkit.bench.run_simulation import run_setup
 from certkit.bench.verification import Check, fails, holds, left_out, unchecked
 from certkit.bench.verify_grading import WORDED
@@ -48,7 +48,7 @@ def reproduction_checks(result: Result, *, quick: bool = False) -> Iterator[Chec
         return
     refined = result.quality is None or result.quality.step_change_percent is not None
     try:
-        again = run_setup(carried_setup(result), refine=refined)
+        again = run_setup(embedded_setup(result), refine=refined)
     except CertkitError as error:
         yield fails(WHAT, "simulation-fails", error=" ".join(str(error).split()))
         return

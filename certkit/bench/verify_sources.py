@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 from certkit.bench.compare_documents import differences
 from certkit.bench.look_alikes import look_alike
-from certkit.bench.regrade import carried_mapping, carried_setup
+from certkit.bench.regrade import embedded_mapping, embedded_setup
 from certkit.bench.verification import Check, fails, holds, left_out, unchecked
 from certkit.bench.verify_document import of_another_certkit
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import names, parse
-from certkit.definitions.loading.search_path import Found, is_name, shipped_shelf
+from certkit.definitions.loading.search_path import Found, is_name, shipped_store
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.channel_curves import raw_channels
 from certkit.errors import CertkitError
@@ -52,8 +52,8 @@ def source_checks(result: Result, data: Sequence[Path]) -> Iterator[Check]:
     for path in data:
         what = f"recording {path.name}"
         try:
-            tables = (carried_setup(result).legform.channel_table,)
-            mapping = carried_mapping(result, tables[0])
+            tables = (embedded_setup(result).legform.channel_table,)
+            mapping = embedded_mapping(result, tables[0])
             read = read_recording(path, mapping, lenient=True, tables=tables)
         except CertkitError as error:
             yield unchecked(what, "source-unreadable", error=" ".join(str(error).split()))
@@ -107,7 +107,7 @@ def definition_checks(result: Result) -> Iterator[Check]:
 def _definition_check(result: Result, item: InputFile, text: str) -> Iterator[Check]:
     kind = KINDS[item.role]
     name = str(read_tree(text, item.path).data.get(item.role))
-    shipped = shipped_shelf().find(kind, name) if is_name(name) else None
+    shipped = shipped_store().find(kind, name) if is_name(name) else None
     what = f"{item.role} {name}"
     if shipped is None:  # of one's own, under a name of its own
         other = look_alike(name, names(item.role))

@@ -26,8 +26,8 @@ def validate(
 
     if bool(files) == every:
         raise UsageError("name the files to check, or use --all")
-    shelves = tuple(library or ())
-    checked = survey_all(shelves) if every else [survey(path, shelves) for path in files or ()]
+    stores = tuple(library or ())
+    checked = survey_all(stores) if every else [survey(path, stores) for path in files or ()]
     problems = [problem for _, found in checked for problem in found]
     if as_json:
         import json  # noqa: PLC0415  # only here

@@ -58,9 +58,9 @@ SMALLEST_PEAK = 1e-290
 def rounded_series(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
     """Round the samples of one channel: seven digits each, and none finer than `FLOOR_DIGITS` of the largest.
 
-    `values`, shape (n,), are in one unit, whichever it is. A sample near zero is a difference of large numbers,
-    and its own seven digits are the noise of a processor's last bits: with and without fused multiply-add a few
-    of 100,000 samples would round apart.
+    `values`, shape (n,), are in one unit, whichever it is. A sample near zero is a difference of large
+    numbers, and its own seven digits are the noise of a processor's last bits: with and without fused
+    multiply-add a few of 100,000 samples would round apart.
     """
     import numpy as np  # noqa: PLC0415  # as above
 

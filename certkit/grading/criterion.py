@@ -62,14 +62,14 @@ class Judgement:
 
 @dataclass(frozen=True)
 class _Held:
-    """A value with its limits, SI, and the pictures that belong to it."""
+    """A value with its limits, SI, and the curves that belong to it."""
 
     value: float | None
     time: float | None
     lower: float | None = None
     upper: float | None = None
     reason: Reason | None = None
-    pictures: Mapping[str, Any] = field(default_factory=dict)
+    curves: Mapping[str, Any] = field(default_factory=dict)
     judged: float | None = None
     """The value that decides, where a corridor rounds it first."""
     exclusive: bool = False
@@ -127,7 +127,7 @@ def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Ju
         "value": _scaled(held.value, scale),
         "unit": dimension.unit,
         "time": held.time,
-        **held.pictures,
+        **held.curves,
         **common,
     }
     if missing is not None or held.value is None:
@@ -219,17 +219,17 @@ def _judged(
 def _shown_only(trace: Trace, *, drawn: bool) -> _Held:
     """Give the largest ordinate of a curve that nothing is held against."""
     index = int(np.argmax(np.abs(trace.y)))
-    pictures = {"curve": _plane(trace, None)} if drawn else {}
-    return _Held(float(trace.y[index]), float(trace.time[index]), pictures=pictures)
+    curves = {"curve": _plane(trace, None)} if drawn else {}
+    return _Held(float(trace.y[index]), float(trace.time[index]), curves=curves)
 
 
 def _inside_polygon(trace: Trace, corners: NDArray[np.float64]) -> _Held:
     """Hold a curve against a polygon."""
-    pictures = {"curve": _plane(trace, corners)}
+    curves = {"curve": _plane(trace, corners)}
     size = np.ptp(corners, axis=0)
     low = corners.min(axis=0)
     if trace.y.size < 2:
-        return _Held(None, None, reason=Reason.of("single-point"), pictures=pictures)
+        return _Held(None, None, reason=Reason.of("single-point"), curves=curves)
     x, y, index = refined(trace.x, trace.y)
     covered = max(
         (min(float(v.max()), float(begin + extent)) - max(float(v.min()), float(begin))) / float(extent)
@@ -241,16 +241,16 @@ def _inside_polygon(trace: Trace, corners: NDArray[np.float64]) -> _Held:
         counted = np.ones_like(counted)
     elif covered < COVERED:
         reason = Reason.of("curve-covers-little", covered=max(0.0, covered), needed=COVERED)
-        return _Held(None, None, reason=reason, pictures=pictures)
+        return _Held(None, None, reason=reason, curves=curves)
     at = int(np.flatnonzero(counted)[np.argmin(distance[counted])])
     time = float(np.interp(index[at], np.arange(trace.time.size), trace.time))
-    return _Held(float(distance[at]), time, lower=0.0, pictures=pictures)
+    return _Held(float(distance[at]), time, lower=0.0, curves=curves)
 
 
 def _inside_band(trace: Trace, corridor: Corridor, band: BandCorridor) -> _Held:
     """Hold a channel against a corridor over time."""
     lower, upper = band_lines(corridor, band, trace.y_dimension)
-    pictures = {
+    curves = {
         "band": CorridorOverTime(
             **{side: _points(line, trace.y_dimension) for side, line in _sides(lower, upper)}
         )
@@ -266,12 +266,12 @@ def _inside_band(trace: Trace, corridor: Corridor, band: BandCorridor) -> _Held:
             corridor_start=float(begin) * 1e3,
             corridor_end=float(end) * 1e3,
         )
-        return _Held(None, None, reason=reason, pictures=pictures)
+        return _Held(None, None, reason=reason, curves=curves)
     distance = band_distance(trace.time, trace.y, lower, upper)
     at = int(np.argmin(distance))
     if not np.isfinite(distance[at]):
-        return _Held(None, None, reason=Reason.of("no-sample-under-corridor"), pictures=pictures)
-    return _Held(float(distance[at]), float(trace.time[at]), lower=0.0, pictures=pictures)
+        return _Held(None, None, reason=Reason.of("no-sample-under-corridor"), curves=curves)
+    return _Held(float(distance[at]), float(trace.time[at]), lower=0.0, curves=curves)
 
 
 def _sides(

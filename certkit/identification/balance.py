@@ -234,10 +234,10 @@ def _connected(graph: Graph, loose: list[Link]) -> list[set[str]]:
     while left:
         reached, edge = {left[0]}, [left[0]]
         while edge:
-            here = edge.pop()
+            group = edge.pop()
             for link in loose:
-                if here in (link.source, link.target):
-                    other = link.target if link.source == here else link.source
+                if group in (link.source, link.target):
+                    other = link.target if link.source == group else link.source
                     if other != GROUND and other not in reached:
                         reached.add(other)
                         edge.append(other)

@@ -104,7 +104,7 @@ def fit_law(
         return None
     problem = _Problem(x, v, force, tension=tension, peak=peak)
     problem.put_in = path_energy(x, force).put_in if hold_energy else 0.0
-    if not problem.carries:
+    if not problem.has_force:
         return None
     fit = _fitted(problem)
     for most, knots in ((ROUGH, ROUGH_KNOTS), (NO_CURVE, FEWEST_KNOTS)):
@@ -137,7 +137,7 @@ class _Problem:
         self.put_in = 0.0
         self.start = 0.0 if tension else self._onset()
         self.top = float(np.max(self.pushed))
-        self.carries = self.top > self.start or (tension and float(np.min(x)) < 0)
+        self.has_force = self.top > self.start or (tension and float(np.min(x)) < 0)
         reached = max(self.top, float(-np.min(x)) if tension else 0.0)
         self.secant = peak / max(reached - self.start, 0.05 * reached, 1e-6)
 

@@ -50,10 +50,10 @@ def path(points: Iterable[tuple[float, float]], *, closed: bool = False) -> str:
     data: list[str] = []
     last_x = last_y = 0
     for index, (x, y) in enumerate(points):
-        here_x, here_y = round(x * 10), round(y * 10)
-        step = f"{number((here_x - last_x) / 10)} {number((here_y - last_y) / 10)}"
+        at_x, at_y = round(x * 10), round(y * 10)
+        step = f"{number((at_x - last_x) / 10)} {number((at_y - last_y) / 10)}"
         data.append(("M" if index == 0 else "l") + step)
-        last_x, last_y = here_x, here_y
+        last_x, last_y = at_x, at_y
     return "".join(data) + ("z" if closed else "")
 
 

@@ -10,7 +10,7 @@ from certkit.definitions.study import Study
 from certkit.studies import study_findings
 from certkit.studies.execution import Execution
 from certkit.studies.journal import forget
-from certkit.studies.run_study import JOURNAL, carry_and_write, optimise_and_write, optimum
+from certkit.studies.run_study import JOURNAL, optimise_and_write, optimum, study_and_write
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -77,7 +77,7 @@ def study(  # noqa: PLR0913  # as many as the command has options
     if fresh:
         forget(folder / JOURNAL)
     formats = tables.split(",") if isinstance(tables, str) else tables
-    write = optimise_and_write if sheet.optimise else carry_and_write
+    write = optimise_and_write if sheet.optimise else study_and_write
     return write(
         sheet,
         folder,

@@ -48,7 +48,7 @@ def optimise_and_write(  # as many as the command has options
     execution: Execution = USUAL,
     force: bool = False,
 ) -> Optimum:
-    """Carry an optimisation out and write its table, what it found and its page; see `carry_and_write`."""
+    """Carry an optimisation out and write its table, what it found and its page; see `study_and_write`."""
     check_formats(formats)
     refuse_other_name(folder, "study", sheet.study, FILES, force=force)
     found = optimum(sheet, library=library, execution=execution.kept_in(folder / JOURNAL))
@@ -63,7 +63,7 @@ def optimise_and_write(  # as many as the command has options
     return found
 
 
-def carry_and_write(  # as many as the command has options
+def study_and_write(  # as many as the command has options
     sheet: Study,
     folder: Path,
     formats: Collection[str],

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from certkit.bench.carried_results import carried_results
+from certkit.bench.results_at_path import results_at
 from certkit.bench.setup import prepare
 from certkit.definitions.loading.library import load
 from certkit.documents.channel_curves import recording_of
@@ -47,7 +47,7 @@ def tested_legs(path: str | Path, sheet: Diagnosis, library: Sequence[Path]) -> 
         When one is damaged, was changed, carries no channels, or is of another legform than the diagnosis.
     """
     found = []
-    for place, result in carried_results(path):
+    for place, result in results_at(path):
         entry = entry_of(result, place)
         changes = _changes_of(result, sheet, library)
         setup = prepare(result.procedure, library=library, overrides=changes)

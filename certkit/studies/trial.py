@@ -14,7 +14,7 @@ from certkit.bench.setup import Setup, prepare
 from certkit.definitions.loading.kinds import kind_of
 from certkit.definitions.loading.library import search_order
 from certkit.definitions.loading.old_forms import path_of_today
-from certkit.definitions.loading.search_path import RememberedShelf
+from certkit.definitions.loading.search_path import RememberedStore
 from certkit.grading import grade_criteria, grade_quality, measure_all, overall
 from certkit.signals import Filtered
 from certkit.studies.quantity import written
@@ -99,12 +99,12 @@ class Trial:
             if scope in {"", procedure}
             for path, factor in ((first, 1.0), *self.tied.get(name, ()))
         }
-        return prepare(procedure, library=self._shelves, overrides={**self.fixed, **own})
+        return prepare(procedure, library=self._stores, overrides={**self.fixed, **own})
 
     @cached_property
-    def _shelves(self) -> tuple[RememberedShelf, ...]:
+    def _stores(self) -> tuple[RememberedStore, ...]:
         """Where definitions are looked for: once, so that all runs meet the same files."""
-        return tuple(RememberedShelf(shelf) for shelf in search_order(self.library))
+        return tuple(RememberedStore(store) for store in search_order(self.library))
 
     @property
     def context(self) -> str:

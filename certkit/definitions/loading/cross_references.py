@@ -35,7 +35,7 @@ def disagreements(procedure: Procedure, tree: Tree, library: Library = ()) -> li
         The document.
     tree : Tree
         Its file, for the places.
-    library : sequence of Path or Shelf
+    library : sequence of Path or DefinitionStore
         Searched first for what it names.
 
     Returns

@@ -23,13 +23,13 @@ from certkit.definitions.loading.made_before import keep, with_made
 from certkit.definitions.loading.old_forms import modernised
 from certkit.definitions.loading.overrides import Change, Overrides, change
 from certkit.definitions.loading.search_path import (
-    FolderShelf,
+    DefinitionStore,
+    FolderStore,
     Found,
-    RememberedShelf,
-    Shelf,
+    RememberedStore,
     is_name,
     is_path,
-    shipped_shelf,
+    shipped_store,
     shown_path,
 )
 from certkit.definitions.loading.validation import read_bytes, validate
@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 
 D_co = TypeVar("D_co", bound=BaseModel, covariant=True)
 
-Library = str | Path | Sequence[str | Path | Shelf]
+Library = str | Path | Sequence[str | Path | DefinitionStore]
 """Folders with own definitions, one or several; searched before the shipped ones, in this order."""
 
 
@@ -166,7 +166,7 @@ def _with_its_confirmation(loaded: Loaded[BaseModel], library: Library) -> Loade
     """Let the numbers that a library's confirmation covers carry the text that was read."""
     kind = KINDS["confirmation"]
     name = confirmation_name(loaded.kind, loaded.name)
-    found = next((found for shelf in own_shelves(library) if (found := shelf.find(kind, name))), None)
+    found = next((found for store in own_stores(library) if (found := store.find(kind, name))), None)
     if found is None or loaded.kind == kind.word:
         return loaded
     confirmation = parse(kind, found)
@@ -223,48 +223,48 @@ def find(kind: Kind, name: str | Path, library: Library = ()) -> Found:
     if isinstance(name, Path) or is_path(name):
         return Found(shown_path(path), read_bytes(path), str(path))
     searched = search_order(library)
-    for shelf in searched:
-        found = shelf.find(kind, str(name))
+    for store in searched:
+        found = store.find(kind, str(name))
         if found is not None:
             return found
-    names = {known for shelf in searched for known in shelf.names(kind)}
+    names = {known for store in searched for known in store.names(kind)}
     hint = f"; to read the file, write ./{name}" if path.exists() else ""
     raise UsageError(f"there is no {kind.noun} `{name}`; {suggestion(str(name), names)}{hint}")
 
 
-def search_order(library: Library = ()) -> list[Shelf]:
-    """Return the shelves that names are looked for on, first to last; see `own_shelves`."""
-    own, shipped = own_shelves(library), shipped_shelf()
+def search_order(library: Library = ()) -> list[DefinitionStore]:
+    """Return the stores that names are looked for in, first to last; see `own_stores`."""
+    own, shipped = own_stores(library), shipped_store()
     last = own[-1] if own else None
-    known = isinstance(last, RememberedShelf) and last.shelf == shipped
+    known = isinstance(last, RememberedStore) and last.store == shipped
     return own if known else [*own, shipped]
 
 
-def own_shelves(library: Library = ()) -> list[Shelf]:
-    """Return the shelves of a library.
+def own_stores(library: Library = ()) -> list[DefinitionStore]:
+    """Return the stores of a library.
 
     Raises
     ------
     UsageError
         When a library folder does not exist.
     """
-    own = shelves(library)
+    own = stores(library)
     for entry in own:
         if isinstance(entry, Path) and not entry.is_dir():
             raise UsageError(f"the library `{entry}` is no folder; check the path")
-    known: list[Shelf] = [
-        FolderShelf(entry, shown_path(entry)) if isinstance(entry, Path) else entry for entry in own
+    known: list[DefinitionStore] = [
+        FolderStore(entry, shown_path(entry)) if isinstance(entry, Path) else entry for entry in own
     ]
-    for shelf in known:
-        if isinstance(shelf, FolderShelf) and not shelf.holds_something():
+    for store in known:
+        if isinstance(store, FolderStore) and not store.holds_something():
             raise UsageError(
-                f"the library `{shelf.folder}` holds no definitions; name the folder that has `procedures/`, "
+                f"the library `{store.folder}` holds no definitions; name the folder that has `procedures/`, "
                 "`corridors/` or `models/` in it, or the files themselves"
             )
     return known
 
 
-def shelves(library: Library) -> tuple[Path | Shelf, ...]:
+def stores(library: Library) -> tuple[Path | DefinitionStore, ...]:
     """Return the places of a library: one folder is a library too, and strings are paths."""
     entries = (library,) if isinstance(library, (str, Path)) else library
     return tuple(Path(entry) if isinstance(entry, str) else entry for entry in entries)
@@ -273,12 +273,12 @@ def shelves(library: Library) -> tuple[Path | Shelf, ...]:
 def names(kind: str, library: Library = ()) -> list[str]:
     """Return the names of all definitions of a kind, sorted."""
     known = kind_of(kind)
-    return sorted({name for shelf in search_order(library) for name in shelf.names(known)})
+    return sorted({name for store in search_order(library) for name in store.names(known)})
 
 
-def neighbours(path: Path) -> list[Shelf]:
-    """Return the shelves beside a file named by its path: its folder, and the library that it is part of."""
+def neighbours(path: Path) -> list[DefinitionStore]:
+    """Return the stores beside a file named by its path: its folder, and the library that it is part of."""
     folder = path.parent
     homes = [Path(kind.folder) for kind in KINDS.values() if kind.lives_in(folder)]
     roots = [folder, *(folder.parents[len(home.parts) - 1] for home in homes)]
-    return [FolderShelf(root, shown_path(root)) for root in roots]
+    return [FolderStore(root, shown_path(root)) for root in roots]

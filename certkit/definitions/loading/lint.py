@@ -9,7 +9,7 @@ from certkit.definitions.loading.catalogue import catalogue
 from certkit.definitions.loading.cross_references import disagreements
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS, Kind
-from certkit.definitions.loading.library import find, neighbours, shelves
+from certkit.definitions.loading.library import find, neighbours, stores
 from certkit.definitions.loading.old_forms import modernised
 from certkit.definitions.loading.search_path import Found
 from certkit.definitions.loading.validation import read_bytes, validate
@@ -32,7 +32,7 @@ def survey(path: Path, library: Library = ()) -> Surveyed:
         data = read_bytes(path)
     except DefinitionError as error:
         return str(path), error.problems
-    return _survey(Found(path.name, data, str(path)), None, [*shelves(library), *neighbours(path)])
+    return _survey(Found(path.name, data, str(path)), None, [*stores(library), *neighbours(path)])
 
 
 def survey_all(library: Library = ()) -> list[Surveyed]:

@@ -59,7 +59,7 @@ class Found:
         return self.data.decode("utf-8-sig")
 
 
-class Shelf(Protocol):
+class DefinitionStore(Protocol):
     """A place that definitions are looked for by kind and name."""
 
     def find(self, kind: Kind, name: str) -> Found | None:
@@ -72,7 +72,7 @@ class Shelf(Protocol):
 
 
 @dataclass(frozen=True)
-class FolderShelf:
+class FolderStore:
     """A folder laid out like the shipped ones (`procedures/`, `models/legforms/`), or with the files in it.
 
     The last of such folders will do too: a fit writes its family into `families/` beside its legform.
@@ -136,7 +136,7 @@ class FolderShelf:
 
 
 @dataclass(frozen=True)
-class TextShelf:
+class TextStore:
     """Definitions at hand: {(kind's word, name): text}, such as a certificate embeds."""
 
     texts: Mapping[tuple[str, str], str]
@@ -153,15 +153,15 @@ class TextShelf:
 
 
 @dataclass(frozen=True)
-class RememberedShelf:
-    """Another shelf, each of whose definitions is looked for once: all runs of a study meet the same files.
+class RememberedStore:
+    """Another store, each of whose definitions is looked for once: all runs of a study meet the same files.
 
     Parameters
     ----------
-    shelf : Shelf
+    store : DefinitionStore
     """
 
-    shelf: Shelf
+    store: DefinitionStore
     _found: dict[tuple[str, str], Found | None] = field(default_factory=dict, compare=False, repr=False)
     _names: dict[str, list[str]] = field(default_factory=dict, compare=False, repr=False)
 
@@ -169,19 +169,19 @@ class RememberedShelf:
         """Return the definition as it was found the first time."""
         key = (kind.word, name)
         if key not in self._found:
-            self._found[key] = self.shelf.find(kind, name)
+            self._found[key] = self.store.find(kind, name)
         return self._found[key]
 
     def names(self, kind: Kind) -> list[str]:
         """Return the names that there were the first time."""
         if kind.word not in self._names:
-            self._names[kind.word] = self.shelf.names(kind)
+            self._names[kind.word] = self.store.names(kind)
         return self._names[kind.word]
 
 
-def shipped_shelf() -> FolderShelf:
-    """Return the shelf of what comes with certkit."""
-    return FolderShelf(shipped_root(), label="")
+def shipped_store() -> FolderStore:
+    """Return the store of what comes with certkit."""
+    return FolderStore(shipped_root(), label="")
 
 
 def check_name(kind: Kind, name: str) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from certkit.definitions.loading.kinds import KINDS, kind_of
 from certkit.definitions.loading.library import load, names, neighbours
-from certkit.definitions.loading.search_path import FolderShelf, RememberedShelf, TextShelf, shipped_root
+from certkit.definitions.loading.search_path import FolderStore, RememberedStore, TextStore, shipped_root
 from certkit.errors import DefinitionError, UsageError
 
 PENDULUM = shipped_root() / "procedures" / "pendulum.yaml"
@@ -185,10 +185,10 @@ def test_a_file_that_calls_itself_otherwise_is_refused(tmp_path: Path):
 
 def test_texts_at_hand_can_stand_in_for_files():
     text = PENDULUM.read_text(encoding="utf-8").replace("title: Dynamic", "title: Embedded")
-    shelf = TextShelf({("procedure", "pendulum"): text})
-    loaded = load("procedure", "pendulum", library=[shelf])
+    store = TextStore({("procedure", "pendulum"): text})
+    loaded = load("procedure", "pendulum", library=[store])
     assert loaded.document.title.startswith("Embedded")
-    assert names("procedure", [shelf]) == names("procedure")
+    assert names("procedure", [store]) == names("procedure")
 
 
 def test_files_of_several_kinds_may_share_a_folder(tmp_path: Path):
@@ -199,9 +199,9 @@ def test_files_of_several_kinds_may_share_a_folder(tmp_path: Path):
 
 
 def test_beside_a_file_lie_its_folder_and_its_library():
-    roots = [str(shelf.folder) for shelf in neighbours(Path("lab/models/legforms/mine.yaml"))]
+    roots = [str(store.folder) for store in neighbours(Path("lab/models/legforms/mine.yaml"))]
     assert roots == ["lab/models/legforms", "lab"]
-    assert [str(shelf.folder) for shelf in neighbours(Path("mine.yaml"))] == ["."]
+    assert [str(store.folder) for store in neighbours(Path("mine.yaml"))] == ["."]
 
 
 @pytest.mark.parametrize(
@@ -216,18 +216,18 @@ def test_an_unknown_kind_brings_the_nearest_one():
         kind_of("procdure")
 
 
-def test_a_remembered_shelf_shows_what_it_showed_first(tmp_path: Path):
+def test_a_remembered_store_shows_what_it_showed_first(tmp_path: Path):
     (tmp_path / "corridors").mkdir()
     path = tmp_path / "corridors" / "mine.yaml"
     path.write_bytes(b"corridors: mine\n")
-    shelf = RememberedShelf(FolderShelf(tmp_path))
-    first = shelf.find(KINDS["corridors"], "mine")
-    assert (first, shelf.names(KINDS["corridors"])) == (
-        FolderShelf(tmp_path).find(KINDS["corridors"], "mine"),
+    store = RememberedStore(FolderStore(tmp_path))
+    first = store.find(KINDS["corridors"], "mine")
+    assert (first, store.names(KINDS["corridors"])) == (
+        FolderStore(tmp_path).find(KINDS["corridors"], "mine"),
         ["mine"],
     )
     path.write_bytes(b"corridors: mine\ntitle: changed\n")
     (tmp_path / "corridors" / "other.yaml").write_bytes(b"corridors: other\n")
-    assert shelf.find(KINDS["corridors"], "mine") == first
-    assert shelf.names(KINDS["corridors"]) == ["mine"]
-    assert FolderShelf(tmp_path).find(KINDS["corridors"], "mine") != first
+    assert store.find(KINDS["corridors"], "mine") == first
+    assert store.names(KINDS["corridors"]) == ["mine"]
+    assert FolderStore(tmp_path).find(KINDS["corridors"], "mine") != first

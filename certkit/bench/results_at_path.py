@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 
-def carried_results(path: str | Path, *, unverified: bool = False) -> Iterator[tuple[str, Result]]:
+def results_at(path: str | Path, *, unverified: bool = False) -> Iterator[tuple[str, Result]]:
     """Yield each result that a path carries, with its place for messages.
 
     Parameters
