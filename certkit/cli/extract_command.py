@@ -11,7 +11,6 @@ from certkit.cli import options  # typer reads annotations
 
 if TYPE_CHECKING:
     from certkit.documents.extraction import EnergyResult, ExtractionResult
-    from certkit.documents.self_check import SelfCheck
 
 DEFAULT_FORMATS = "html,pdf"
 DEFAULT_PROCEDURE = "vehicle-fe-front"
@@ -104,39 +103,13 @@ def extract(
     if not closed:
         typer.echo("the impulse does not close on every path, see the warnings", err=True)
         raise typer.Exit(NOT_CLOSED)
+    from certkit.reporting.extraction_text import check_sentence  # noqa: PLC0415  # not for `--help`
+
     missed = [check for check in result.checks if check.within is False]
     for check in missed:
-        typer.echo(f"cannot be trusted: {_sentence(check)}", err=True)
+        typer.echo(f"cannot be trusted: {check_sentence(check)}", err=True)
     if missed:
         raise typer.Exit(NOT_TRUSTED)
-
-
-def _sentence(check: SelfCheck) -> str:
-    """Say what a self-check found, the worst group first."""
-    from certkit.reporting.channel_names import channel_words  # noqa: PLC0415  # not for the help
-
-    said = []
-    if check.worst_percent is not None:
-        worst = next(group for group in check.groups if group.rms_percent == check.worst_percent)
-        said.append(
-            f"{worst.name} moves {1e3 * worst.peak:.0f} mm, in the run {1e3 * worst.run_peak:.0f} mm "
-            f"({worst.rms_percent:.0f} % rms); faces in the mean {check.mean_percent:.0f} %"
-        )
-    for what, value in (
-        ("contact force", check.force_percent),
-        ("impulse", check.impulse_percent),
-        ("rebound speed", check.rebound_percent),
-    ):
-        if value is not None:
-            said.append(f"{what} {value:+.1f} %")
-    if check.wrong_group_percent is not None:
-        said.append(f"impulse on another group {check.wrong_group_percent:.1f} %")
-    if check.channels:
-        channel = check.channels[0]
-        said.append(f"worst curve {channel_words(channel.name)}, {channel.rms_percent:.0f} % rms")
-        channel = max(check.channels, key=lambda c: abs(c.error_percent))
-        said.append(f"worst peak {channel_words(channel.name)}, {channel.error_percent:+.1f} %")
-    return f"{check.title}: {'; '.join(said)}"
 
 
 def _energies(energy: EnergyResult | None, which: str) -> str:
@@ -182,13 +155,16 @@ def _show(result: ExtractionResult, target: Path) -> None:
             f"{material.rms_percent:.1f} % rms, "
             f"{material.mean_percent:+.1f} % in the mean against the material's curve"
         )
-    from certkit.reporting.extraction_text import channels_table  # noqa: PLC0415  # not for `--help`
+    from certkit.reporting.extraction_text import (  # noqa: PLC0415  # not for `--help`
+        channels_table,
+        check_sentence,
+    )
 
     table = channels_table(result)
     if table:
         typer.echo(f"\n{table}\n")
     for check in result.checks:
-        typer.echo(_sentence(check))
+        typer.echo(check_sentence(check))
     typer.echo(f"look at {target / 'extraction.html'}", err=True)
     if result.vehicle:
         typer.echo(f"use it: certkit run vehicle --set vehicle={target / 'vehicle.yaml'}", err=True)

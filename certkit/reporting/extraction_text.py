@@ -39,3 +39,29 @@ def _table(check: SelfCheck) -> str:
     lines = ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) for row in rows]
     until = f"{check.title}, up to {1e3 * check.until:.0f} ms of the run"
     return "\n".join([until, *(line.rstrip() for line in lines)])
+
+
+def check_sentence(check: SelfCheck) -> str:
+    """Say what a self-check found, the worst group first."""
+    said = []
+    if check.worst_percent is not None:
+        worst = next(group for group in check.groups if group.rms_percent == check.worst_percent)
+        said.append(
+            f"{worst.name} moves {1e3 * worst.peak:.0f} mm, in the run {1e3 * worst.run_peak:.0f} mm "
+            f"({worst.rms_percent:.0f} % rms); faces in the mean {check.mean_percent:.0f} %"
+        )
+    for what, value in (
+        ("contact force", check.force_percent),
+        ("impulse", check.impulse_percent),
+        ("rebound speed", check.rebound_percent),
+    ):
+        if value is not None:
+            said.append(f"{what} {value:+.1f} %")
+    if check.wrong_group_percent is not None:
+        said.append(f"impulse on another group {check.wrong_group_percent:.1f} %")
+    if check.channels:
+        channel = check.channels[0]
+        said.append(f"worst curve {channel_words(channel.name)}, {channel.rms_percent:.0f} % rms")
+        channel = max(check.channels, key=lambda c: abs(c.error_percent))
+        said.append(f"worst peak {channel_words(channel.name)}, {channel.error_percent:+.1f} %")
+    return f"{check.title}: {'; '.join(said)}"

@@ -194,6 +194,10 @@ class SlideDeck:
             if "XY" in str(kind):
                 series.format.line.color.rgb = colour
                 series.format.line.width = points(1.75)
+                if index >= len(PENS):
+                    dashes = pptx_part("pptx.enum.dml").MSO_LINE
+                    worn = (dashes.DASH, dashes.SQUARE_DOT, dashes.LONG_DASH_DOT, dashes.LONG_DASH)
+                    series.format.line.dash_style = worn[(index // len(PENS) - 1) % len(worn)]
                 series.smooth = False
             else:
                 series.format.fill.solid()

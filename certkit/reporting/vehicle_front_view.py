@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from certkit.reporting.channel_names import is_channel
 from certkit.reporting.charts.lines import lines_chart
 
 if TYPE_CHECKING:
@@ -43,13 +44,20 @@ def front_view(front: Front | None) -> FrontView | None:
             )
             for name, curve in front.springs.items()
         ],
-        received=sorted(front.received.items(), key=lambda item: -item[1]),
+        received=sorted(
+            ((_words(name), energy) for name, energy in front.received.items()), key=lambda item: -item[1]
+        ),
         absorbed=sorted(front.absorbed.items(), key=lambda item: -item[1]),
     )
 
 
+def _words(name: str) -> str:
+    """Return a group's words: a face F1 is not the gauge of that name."""
+    return f"face {name}" if is_channel(name) else name
+
+
 def _over_time(histories: Histories, title: str) -> Drawing:
     axis = [(histories.start + k * histories.interval) * 1e3 for k in range(histories.count)]
-    lines = [(s.title, axis, s.values) for s in histories.series.values()]
+    lines = [(_words(s.title), axis, s.values) for s in histories.series.values()]
     unit = next(iter(histories.series.values())).unit
     return lines_chart(lines, title, "ms", unit)

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 MADE = datetime(1980, 1, 1, tzinfo=UTC)
 """The date that every workbook says it was made on: a clock would make each one different."""
 
+_DASHES = ("solid", "dash", "square_dot", "long_dash_dot", "long_dash")
+"""Of lines, one after the other when all colours are used up."""
+
 LONGEST_NAME = 31
 """Letters of a sheet's name that a spreadsheet takes."""
 
@@ -154,14 +157,16 @@ class SheetBook:
         options = {"type": "scatter", "subtype": "straight"} if kind == "line" else {"type": kind}
         chart = self._book.add_chart(options)
         for index, column in enumerate(columns):
-            colour = PENS[index % len(PENS)].colour
+            colour, dash = PENS[index % len(PENS)].colour, _DASHES[index // len(PENS) % len(_DASHES)]
             series: dict[str, Any] = {
                 "name": place.name(column),
                 "categories": place.column(0),
                 "values": place.column(column),
             }
             series |= (
-                {"line": {"color": colour, "width": 1.5}} if kind == "line" else {"fill": {"color": colour}}
+                {"line": {"color": colour, "width": 1.5, "dash_type": dash}}
+                if kind == "line"
+                else {"fill": {"color": colour}}
             )
             chart.add_series(series)
         chart.set_title({"name": harmless(title), "name_font": {"size": 12}, "overlay": False})

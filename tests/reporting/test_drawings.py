@@ -8,17 +8,19 @@ from hypothesis import strategies as st
 from support import synthetic_result
 from support.synthetic_result import parsed
 
-from certkit.documents.result import CriterionResult, Result
+from certkit.documents.result import CriterionResult, Front, Histories, Result, Series
 from certkit.errors import UsageError
 from certkit.reporting import palette
 from certkit.reporting.charts.channel_history import history_chart
 from certkit.reporting.charts.grid import side_by_side
+from certkit.reporting.charts.lines import lines_chart
 from certkit.reporting.charts.motion_frames import key_frames
 from certkit.reporting.charts.position import position_bar
 from certkit.reporting.figure_list import FIGURES
 from certkit.reporting.figures import figure
 from certkit.reporting.scales import Scale, span, thinned, ticks
 from certkit.reporting.svg import Drawing
+from certkit.reporting.vehicle_front_view import front_view
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -41,6 +43,27 @@ def test_curves_stand_out_from_paper(pen: palette.Pen):
 
 def test_pens_differ_without_their_colours():
     assert len({pen.dash for pen in palette.PENS}) == len(palette.PENS)
+
+
+def test_no_two_lines_of_a_chart_look_alike():
+    names = [f"group {k}" for k in range(40)]
+    drawn = lines_chart([(name, [0.0, 1.0], [0.0, 1.0]) for name in names], "Momentum", "ms", "N·s")
+    keys = [e for e in parsed(drawn).iter() if e.tag.endswith("line") and "curve" in e.get("class", "")]
+    worn = {(key.get("stroke"), key.get("stroke-dasharray")) for key in keys}
+    assert len(worn) == len(keys) == len(names)
+
+
+def test_a_face_is_not_taken_for_the_gauge_of_its_name():
+    series = {name: Series(title=name, unit="N", values=(0.0, 1.0)) for name in ("F1", "H1", "MCL")}
+    histories = Histories(start=0.0, interval=0.001, count=2, series=series)
+    energies = {"F1": 3.0, "H1": 2.0}
+    seen = front_view(
+        Front(contact=histories, displacement=histories, springs={}, received=energies, absorbed={})
+    )
+    assert seen is not None
+    assert "face F1, H1, face MCL" in seen.contact.title
+    assert "face F1, H1, face MCL" in seen.displacement.title
+    assert seen.received == [("face F1", 3.0), ("H1", 2.0)]
 
 
 def test_moments_of_either_sign_grow_darker_with_their_size():

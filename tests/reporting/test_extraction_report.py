@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 from typing import TYPE_CHECKING
 
 import pikepdf
@@ -14,6 +15,7 @@ from certkit.errors import UsageError
 from certkit.identification import ExtractionResult
 from certkit.reporting.document_reports import render_document
 from certkit.reporting.extraction_report import extraction_page
+from certkit.reporting.extraction_text import check_sentence
 from certkit.reporting.figure_files import figure_files
 from certkit.reporting.figure_list import FIGURES
 from certkit.reporting.figures import drawn
@@ -100,6 +102,17 @@ def extraction() -> ExtractionResult:
         notes=(),
         inputs={"case.yaml": "ab" * 32},
     )
+
+
+def test_the_terminal_calls_gauges_moments_and_sets_ratios() -> None:
+    front = synthetic_extraction.extraction()
+    said = " ".join(check_sentence(check) for check in front.checks)
+    gauges = {channel.name for check in front.checks for channel in check.channels}
+    assert gauges & {"F1", "T1"}
+    assert not [name for name in gauges if f" {name}," in said]
+    page = extraction_page(front)
+    assert "permanent set 30 % of the largest shortening" in page
+    assert not re.search(r"permanent set[^.;]*\d\s*mm", page)
 
 
 def test_warnings_come_before_the_curves(extraction: ExtractionResult) -> None:

@@ -21,7 +21,7 @@ def lines_chart(  # noqa: PLR0913  # words, lines, and what stands beside them
     *,
     width: float = 740,
     height: float = 230,
-    pens: Sequence[palette.Pen] = palette.PENS,
+    pens: Sequence[palette.Pen] = palette.GROUP_PENS,
     marks: Sequence[tuple[int, float, float]] = (),
     beyond: float | None = None,
 ) -> Drawing:
@@ -30,7 +30,7 @@ def lines_chart(  # noqa: PLR0913  # words, lines, and what stands beside them
     Parameters
     ----------
     lines : sequence of (name, x, y)
-        As many as there are pens are told apart; more repeat.
+        All are told apart, by colour or dash.
     title, x_title, unit : str
         Words at the plot's head, at its abscissa and the ordinate's unit.
     width, height : float

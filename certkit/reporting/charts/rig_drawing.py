@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
+from certkit.reporting.channel_names import is_channel
 from certkit.reporting.charts.motion_frames import FILL, placed
 from certkit.reporting.language import english
 from certkit.reporting.scales import Scale
@@ -48,7 +49,7 @@ def rig_drawing(motion: Motion, *, t: Translate = english) -> Drawing:
     x = Scale(left, right, 10.0, 10.0 + (right - left) * factor)
     z = Scale(low, high, 10.0 + height, 10.0)
     drawn = "".join(_piece(shape, [(x(a), z(b)) for a, b in outline]) for shape, outline in pieces)
-    named = _named(pieces)
+    named = _named([(_of_front(shape, t), outline) for shape, outline in pieces])
     total = max(height, len(named) * _LINE) + 20 + _BELOW
     drawn += _names([(words, x(a), z(b)) for words, (a, b) in named], x.end + 24, height + 10)
     drawn += _below(motion, factor, total - _BELOW + 8, t)
@@ -83,6 +84,12 @@ def _hatching(outline: Outline) -> str:
         lines += path([start, end])
         place += max(size, 3.0)
     return tag("path", d=lines, stroke=palette.INK, stroke_width=0.6, fill="none", class_="k-ground")
+
+
+def _of_front(shape: Shape, t: Translate) -> Shape:
+    """Return a shape whose name says that it is a face, where a gauge of the leg is called so too."""
+    called = shape.kind == "vehicle" and is_channel(shape.name)
+    return shape.model_copy(update={"name": t("face {name}", name=shape.name)}) if called else shape
 
 
 def _named(pieces: Sequence[tuple[Shape, Outline]]) -> list[tuple[str, tuple[float, float]]]:
