@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Self
 
-from pydantic import Field, field_validator
+from pydantic import Field, field_validator, model_validator
 
 from certkit.definitions.base import Section
+from certkit.definitions.loading.faults import Faults
 from certkit.definitions.loading.field_types import Axes
 from certkit.definitions.provenance import (
     Angle,
@@ -19,6 +20,7 @@ from certkit.definitions.provenance import (
     Length,
     Mass,
     Number,
+    Pressure,
     Ratio,
     RotationalStiffness,
     Speed,
@@ -118,6 +120,49 @@ class FarFlesh(Section):
     damping_ratio: Ratio
 
 
+class FleshFoam(Section):
+    """Flesh as a tabulated foam under a skin, in place of compression, wall and resilience."""
+
+    width: Annotated[Length, Field(description="Across the impact.")]
+    stress: Annotated[
+        list[tuple[Ratio, Pressure]],
+        Field(min_length=2, max_length=500, description="Over strain, from (0, 0); last slope beyond."),
+    ]
+    hysteresis: Annotated[
+        Ratio, Field(description="Share of the loading stress left at the end of springing back.")
+    ]
+    shape: Annotated[
+        Ratio, Field(description="Exponent of the energy's share, by which the stress falls to it.")
+    ]
+    loss: Annotated[
+        Ratio | None,
+        Field(
+            description="Share that internal friction adds while it is pressed, and takes while it is let go."
+        ),
+    ] = None
+    reversal_speed: Annotated[
+        Speed | None, Field(description="At which that friction turns; 1 m/s when missing.")
+    ] = None
+    shear_modulus: Annotated[Pressure, Field(description="By which places take their surroundings along.")]
+    skin_modulus: Annotated[Pressure, Field(description="Young's modulus of the skin.")]
+    skin_thickness: Length
+
+    @model_validator(mode="after")
+    def _begins_at_zero_and_rises(self) -> Self:
+        points = [(float(strain), float(stress)) for strain, stress in self.stress]
+        if points[0] != (0.0, 0.0):
+            raise Faults([(("stress", 0), "the foam's curve has to begin at strain 0 and stress 0")])
+        for index, (here, last) in enumerate(zip(points[1:], points, strict=False), 1):
+            if here[0] <= last[0] or here[1] < last[1]:
+                message = "strains have to rise from point to point, and stresses must not fall"
+                raise Faults([(("stress", index), message)])
+        if not 0.0 <= self.hysteresis <= 1.0:
+            raise Faults([(("hysteresis",), "the share that is left is from 0 to 1")])
+        if self.shape <= 0.0:
+            raise Faults([(("shape",), "the exponent has to be greater than zero")])
+        return self
+
+
 class Flesh(Section):
     """Rubber and neoprene around the bones: a mass a segment on springs, and a layer that can be crushed."""
 
@@ -126,7 +171,10 @@ class Flesh(Section):
     along: Annotated[Frequency, Field(description="Natural frequency along the bone.")]
     damping_ratio: Ratio
     tension: Annotated[Force, Field(description="Tensile stiffness EA between neighbours; 0 leaves it out.")]
-    compression: Annotated[FoundationStiffness, Field(description="Initial, per unit length.")]
+    compression: Annotated[
+        FoundationStiffness | None,
+        Field(description="Initial, per unit length; needed where no `foam` is given."),
+    ] = None
     thickness: Annotated[Length, Field(description="Between bone and surface: it ends at the bone.")]
     compacted_at: Annotated[
         Length | None,
@@ -145,6 +193,10 @@ class Flesh(Section):
             description="Of compression, where internal friction has come to three quarters of its full "
             "value; 1 m/s when missing."
         ),
+    ] = None
+    foam: Annotated[
+        FleshFoam | None,
+        Field(description="A tabulated foam under a skin; a law by compression and wall when missing."),
     ] = None
     face: Annotated[
         Length | None,
@@ -169,3 +221,14 @@ class Flesh(Section):
         if speed is not None and float(speed) <= 0.0:
             raise ValueError("has to be above zero, such as 1 m/s")
         return speed
+
+    @model_validator(mode="after")
+    def _has_one_law(self) -> Self:
+        if self.foam is None and self.compression is None:
+            raise Faults([((), "`compression` is missing; give it, or a `foam`")])
+        if self.foam is not None:
+            for name in ("compression", "compacted_at", "wall", "resilience", "reversal_speed"):
+                if getattr(self, name) is not None:
+                    key = name.replace("_", " ")
+                    raise Faults([((name,), f"`{key}` says nothing beside `foam`; leave one of them out")])
+        return self

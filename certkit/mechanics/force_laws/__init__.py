@@ -18,6 +18,7 @@ _FILES = (
     "ram_nose_contact",
     "vehicle_front_contact",
     "folding_face_contact",
+    "skinned_foam_contact",
     "vehicle_spring",
     "sheet_link",
     "recorded_contact",

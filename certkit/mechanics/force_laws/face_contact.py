@@ -61,7 +61,7 @@ def untilted_piece_at(now: Instant, z: float, piece: int) -> int:
 
 
 @compiled
-def _kept_when_tilted(cosine: float) -> tuple[float, float]:
+def kept_when_tilted(cosine: float) -> tuple[float, float]:
     """Return how much of the contact a tilted segment keeps, and how that grows with the tilt's cosine."""
     kept = (cosine - STEEPEST) / FADE
     if kept >= 1.0:
@@ -70,7 +70,7 @@ def _kept_when_tilted(cosine: float) -> tuple[float, float]:
 
 
 @compiled
-def _pieces_sharing(now: Instant, piece: int, z: float) -> tuple[int, int, float]:
+def pieces_sharing(now: Instant, piece: int, z: float) -> tuple[int, int, float]:
     """Return the two pieces that share the surface at `z`, upper first, and the lower one's weight."""
     last = len(now.outline) - 1
     if piece < last:
@@ -85,7 +85,7 @@ def _pieces_sharing(now: Instant, piece: int, z: float) -> tuple[int, int, float
 
 
 @compiled
-def _kept_at_ends(now: Instant, piece: int, z: float) -> tuple[float, float]:
+def kept_at_ends(now: Instant, piece: int, z: float) -> tuple[float, float]:
     """Return how much of the contact the leg's ends leave at `z`, and how that grows with their height."""
     last = len(now.outline) - 1
     if piece == 0:
@@ -100,7 +100,7 @@ def _kept_at_ends(now: Instant, piece: int, z: float) -> tuple[float, float]:
 
 
 @compiled
-def _push_back(load: Rows[Load], body: int, force: float, by_z: float, by_angle: float) -> None:
+def push_back(load: Rows[Load], body: int, force: float, by_z: float, by_angle: float) -> None:
     """Add a force along the gradient of the depth to a body of the leg."""
     on_leg = load[body]
     on_leg.x -= force
@@ -154,10 +154,10 @@ def press_strip(  # noqa: PLR0913, PLR0915, PLR0917  # one contact, force by for
     energy : float
         Stored, J.
     """
-    upper, lower, weight = _pieces_sharing(now, piece, z)
+    upper, lower, weight = pieces_sharing(now, piece, z)
     above, below = now.outline[upper].body, now.outline[lower].body
-    kept, gain = _kept_when_tilted(now.pose[above].cos)
-    kept_below, gain_below = _kept_when_tilted(now.pose[below].cos)
+    kept, gain = kept_when_tilted(now.pose[above].cos)
+    kept_below, gain_below = kept_when_tilted(now.pose[below].cos)
     upright = (1.0 - weight) * kept + weight * kept_below
     if upright <= 0.0:
         return 0.0, 0.0, 0.0, 0.0
@@ -168,7 +168,7 @@ def press_strip(  # noqa: PLR0913, PLR0915, PLR0917  # one contact, force by for
         across = other - x
         x += weight * across
     depth = x - face
-    part, growth = _kept_at_ends(now, piece, z)
+    part, growth = kept_at_ends(now, piece, z)
     if depth <= 0.0 or part <= 0.0:
         return 0.0, 0.0, 0.0, 0.0
     cosine = (1.0 - weight) * now.pose[above].cos + weight * now.pose[below].cos
@@ -188,8 +188,8 @@ def press_strip(  # noqa: PLR0913, PLR0915, PLR0917  # one contact, force by for
     if part * upright > HALF:
         totals.flesh_depth = max(totals.flesh_depth, depth * cosine / layer)
     body = now.outline[piece].body
-    _push_back(load, above, (1.0 - weight) * force, by_z, by_angle)
-    _push_back(load, below, weight * force, other_z, other_angle)
+    push_back(load, above, (1.0 - weight) * force, by_z, by_angle)
+    push_back(load, below, weight * force, other_z, other_angle)
     # The ramp moves with the lower end of the upper segment, and what the ends leave with the ends.
     up = press * across + part * energy * (kept_below - kept)
     up += by_cosine * (now.pose[below].cos - now.pose[above].cos)

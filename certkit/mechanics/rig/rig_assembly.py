@@ -13,7 +13,7 @@ from certkit.documents.rig_motion import Shape
 from certkit.errors import RunError
 from certkit.mechanics.force_laws import LAWS
 from certkit.mechanics.force_laws.law import OutlinePiece
-from certkit.mechanics.rig.flesh_layer import flesh_layer
+from certkit.mechanics.rig.flesh_layer import flesh_layer, foam_layer
 from certkit.mechanics.rig.recorded_forces import press_on_leg
 from certkit.mechanics.rig.vehicle_front import build_front
 
@@ -96,6 +96,11 @@ class RigAssembly(RigBuilder):
     def flesh_layer(self, cover: float = 0.0) -> dict[str, float]:
         """Return the columns of the layer that a contact law compresses."""
         return flesh_layer(self.legform.flesh, fitted=self.cover > 0, cover=cover)
+
+    def foam_layer(self, cover: float = 0.0) -> dict[str, float] | None:
+        """Return the columns of a skinned foam that is fitted; none where the leg wears none."""
+        foam = self.legform.flesh.foam
+        return None if foam is None or self.cover == 0 else foam_layer(self.assembly, foam, self.cover, cover)
 
     def set_gravity(self, gravity: float) -> None:
         """Let all bodies weigh: the acceleration along z, m/s²."""

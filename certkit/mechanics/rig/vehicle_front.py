@@ -28,6 +28,10 @@ SLAB = 0.012
 """m: thickness of a face as it is drawn."""
 
 
+UNMOVED = (np.zeros(1), np.zeros((1, 3)))
+"""A way back that adds nothing."""
+
+
 class _Front(NamedTuple):
     """Bodies of a front's groups by name, and the friction of its faces."""
 
@@ -67,7 +71,8 @@ def build_front(
     for link in links:
         for state in ("shortening", "force"):
             rig.record(f"spring {link.name} {state}", LawRow(link.law.words(), link.row), state)
-    rig.mark_contact("folding face contact" if folding else "vehicle front contact")
+    rigid = "folding face contact" if folding else "vehicle front contact"
+    rig.mark_contact(rigid if rig.foam_layer() is None else "skinned foam contact")
     rig.longest_approach = 0.01
     rig.draw("ground", "ground", box(-0.3, 0.5, ground - PLATE, ground))
     for name, group in vehicle.groups.items():
@@ -98,10 +103,26 @@ def _add_faces(
     rig: RigBuilder, assembly: Assembly, strips: list[FrontStrip], start: float, front: _Front
 ) -> None:
     """Let the leg's flesh meet the strips, which stand `start` (m) further along x than their document."""
-    layer = rig.flesh_layer()
+    foam = rig.foam_layer() if strips else None
+    layer = rig.flesh_layer() if strips and foam is None else {}
     for number, strip in enumerate(strips):
         lower, upper = (front.bodies[name] for name in (strip.lower, strip.upper))
         moved = (1 - strip.share) * assembly.centre(lower)[0] + strip.share * assembly.centre(upper)[0]
+        if foam is not None:
+            place = np.zeros(1), np.array([[strip.x + start, strip.z, strip.height]])
+            row = rig.add_force(
+                "skinned foam contact",
+                lower=lower,
+                upper=upper,
+                share=strip.share,
+                rest=moved,
+                friction=front.friction,
+                order=number,
+                **foam,
+                **add_path(assembly, place, UNMOVED),
+            )
+            rig.record(f"strip {number} force", row, "force")
+            continue
         row = rig.add_force(
             "vehicle front contact",
             lower=lower,
@@ -121,10 +142,25 @@ def _add_folding_faces(
     rig: RigBuilder, assembly: Assembly, strips: list[OutlineStrip], start: float, front: _Front
 ) -> None:
     """Let the leg's flesh meet faces that fold, which stand `start` (m) further along x."""
-    layer = rig.flesh_layer()
+    foam = rig.foam_layer() if strips else None
+    layer = rig.flesh_layer() if strips and foam is None else {}
     for number, strip in enumerate(strips):
         pushed = strip.pushed + np.array([start, 0.0, 0.0])
         group = front.bodies[strip.group]
+        if foam is not None:
+            row = rig.add_force(
+                "skinned foam contact",
+                lower=group,
+                upper=group,
+                share=0.0,
+                rest=assembly.centre(group)[0],
+                friction=front.friction,
+                order=number,
+                **foam,
+                **add_path(assembly, (strip.at, pushed), (strip.shares, strip.back)),
+            )
+            rig.record(f"folding strip {number} force", row, "force")
+            continue
         row = rig.add_force(
             "folding face contact",
             group=group,

@@ -1,0 +1,276 @@
+"""A leg's skinned foam against a bar or the faces of a front: pushing only, sliding, with friction.
+
+Strips follow an outline as in `folding_face_contact`; one that keeps its form has a path of one point. Where
+a strip overlaps the leg's unpressed surface by D along x, the skin is pressed in by u ≥ D, and what the foam
+and the neighbours press back with (`foam_layer`) is the contact force
+
+    R = h·q(u·cos θ) + Σ Q(neighbours) ≥ 0,  and R = 0 wherever u > D
+
+h is the strip's height that no other strip stands in front of. So a crest takes its surroundings with it, and
+no skin is pressed deeper than the strips and the layer's stiffness ask for. The skin has no inertia: u is in
+equilibrium at every step. Neighbours are the strips that are met, by their height; flesh beside all strips
+presses on nothing.
+
+What the foam does not give back, and what the outline's own change takes up, counts as dissipated.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.face_contact import (
+    HALF,
+    RAMP,
+    STICK,
+    kept_at_ends,
+    kept_when_tilted,
+    pieces_sharing,
+    push_back,
+    untilted_piece_at,
+)
+from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
+from certkit.mechanics.force_laws.leg_outline import surface_at
+from certkit.mechanics.force_laws.recorded_path import on_path
+from certkit.mechanics.force_laws.skin_equilibrium import foam_of, line_up, link_below, press_skin
+
+if TYPE_CHECKING:
+    from certkit.mechanics.records import Body, Rows, State
+
+
+@compiled
+def _place(strip: SkinnedFoamContact, now: Instant) -> None:
+    """Write down where the strip stands now, how high it is, and what of that is its own change."""
+    moved = (1.0 - strip.share) * now.pose[strip.lower].x + strip.share * now.pose[strip.upper].x
+    moved -= strip.rest
+    strip.largest = max(strip.largest, moved)
+    x = on_path(now.curves, strip, 0, moved, strip.largest)
+    z = on_path(now.curves, strip, 1, moved, strip.largest)
+    strip.shift, strip.climb = x - strip.x, z - strip.z
+    strip.x, strip.z = x, z
+    strip.face = moved + x
+    strip.height = max(on_path(now.curves, strip, 2, moved, strip.largest), 0.0)
+
+
+@compiled
+def _seen(strips: Rows[SkinnedFoamContact], i: int) -> float:
+    """Return how much of a strip's height no other strip stands in front of."""
+    strip = strips[i]
+    low, high = strip.z - 0.5 * strip.height, strip.z + 0.5 * strip.height
+    seen = strip.height
+    for k in range(len(strips)):
+        other = strips[k]
+        before = other.face < strip.face or (other.face == strip.face and k < i)
+        if k != i and before:
+            top = min(high, other.z + 0.5 * other.height)
+            seen -= max(top - max(low, other.z - 0.5 * other.height), 0.0)
+    return max(seen, 0.0)
+
+
+@compiled
+def _meet(strips: Rows[SkinnedFoamContact], now: Instant) -> None:
+    """Write down which strips the leg's surface stands at, how deep, and how much of them it meets."""
+    piece = 0
+    above = math.inf
+    for i in range(len(strips)):
+        strip = strips[i]
+        piece = 0 if strip.z > above else max(piece, 0)
+        above = strip.z
+        strip.size = 0.0
+        strip.depth = 0.0
+        piece = untilted_piece_at(now, strip.z, piece)
+        if piece < 0:
+            continue
+        part, _ = kept_at_ends(now, piece, strip.z)
+        upper, lower, weight = pieces_sharing(now, piece, strip.z)
+        kept, _ = kept_when_tilted(now.pose[now.outline[upper].body].cos)
+        kept_below, _ = kept_when_tilted(now.pose[now.outline[lower].body].cos)
+        strip.grip = part * ((1.0 - weight) * kept + weight * kept_below)
+        if strip.grip <= 0.0:
+            continue
+        strip.size = strip.grip * _seen(strips, i)
+        strip.piece = piece
+        x, _, _ = surface_at(now, upper, strip.z, strip.thickness)
+        other, _, _ = surface_at(now, lower, strip.z, strip.thickness)
+        strip.depth = (1.0 - weight) * x + weight * other - strip.face
+        strip.cosine = (1.0 - weight) * now.pose[now.outline[upper].body].cos
+        strip.cosine += weight * now.pose[now.outline[lower].body].cos
+
+
+@compiled
+def _load_leg(
+    strip: SkinnedFoamContact, now: Instant, load: Rows[Load], totals: Totals, stored: float
+) -> float:
+    """Press a strip's force on the leg and its groups; return how the depth grows with the strip's height.
+
+    As `face_contact.press_strip` does; `stored` is the foam's energy, J.
+    """
+    piece, z, force = strip.piece, strip.z, strip.force
+    upper, lower, weight = pieces_sharing(now, piece, z)
+    above, below = now.outline[upper].body, now.outline[lower].body
+    kept, gain = kept_when_tilted(now.pose[above].cos)
+    kept_below, gain_below = kept_when_tilted(now.pose[below].cos)
+    part, growth = kept_at_ends(now, piece, z)
+    upright = (1.0 - weight) * kept + weight * kept_below
+    energy = stored / upright  # of the part that the ends leave
+    x, by_z, by_angle = surface_at(now, upper, z, strip.thickness)
+    across = other_z = other_angle = 0.0
+    if weight > 0.0:
+        other, other_z, other_angle = surface_at(now, lower, z, strip.thickness)
+        across = other - x
+        x += weight * across
+    by_height = -(1.0 - weight) * by_z - weight * other_z - (across * 0.5 / RAMP if weight > 0.0 else 0.0)
+    push_back(load, above, (1.0 - weight) * force, by_z, by_angle)
+    push_back(load, below, weight * force, other_z, other_angle)
+    press, _, _, _ = foam_of(strip, now)
+    by_cosine = (press * strip.pressed - stored) / strip.cosine
+    up = force * across + energy * (kept_below - kept)
+    up += by_cosine * (now.pose[below].cos - now.pose[above].cos)
+    up *= 0.5 / RAMP
+    load[above].z -= up
+    load[above].torque += up * now.outline[upper].bottom * now.pose[above].sin
+    load[above].torque += (energy * gain + by_cosine) * (1.0 - weight) * now.pose[above].sin
+    load[below].torque += (energy * gain_below + by_cosine) * weight * now.pose[below].sin
+    body = now.outline[piece].body
+    end = now.outline[piece].top if growth > 0.0 else now.outline[piece].bottom
+    pull = stored / part * growth
+    load[body].z -= pull
+    load[body].torque += pull * end * now.pose[body].sin
+    arm = x - now.pose[body].x
+    slip = now.velocity[body].z + now.velocity[body].angular * arm
+    rub = strip.friction * force * math.tanh(slip / STICK)
+    load[body].z -= rub
+    load[body].torque -= rub * arm
+    totals.power += rub * slip
+    totals.force += force
+    load[strip.lower].x += (1.0 - strip.share) * force
+    load[strip.upper].x += strip.share * force
+    return by_height
+
+
+@dataclass(kw_only=True)
+class SkinnedFoamContact(ForceLaw):
+    """One strip of a face.
+
+    Parameters
+    ----------
+    lower, upper : Body
+        The groups that the strip moves with; the ground where it stands still.
+    share : float
+        Of the upper group in the strip's motion.
+    rest : float
+        Where the groups' bodies stand before they are moved, in these shares, m.
+    in_start, in_points, back_start, back_points : int
+        The strip's path, see `recorded_path`: x against the groups, z and height over the displacement.
+    foam_start, foam_points : int
+        The foam's loading curve, N/m over m.
+    layer : float
+        Thickness of the foam and a cover of the face together, m.
+    hysteresis, shape, shear, skin : float
+        H, s, N and A, see `foam_layer`.
+    loss, reversal : float
+        λ and v: share by which internal friction adds to the foam's force, see `flesh_compression`.
+    thickness : float
+        Of the flesh in front of the bone, m.
+    friction : float
+        μ.
+    order : int
+        Row of the strip that comes at this row's place from the top; the law keeps it sorted.
+    depth, force : State
+        D (m) and R (N) now.
+    pressed, most : State
+        u (m), and Wₘ (J/m).
+    before, felt : State
+        u and R a step ago.
+    largest, x, z, face, shift, climb : State
+        As in `FoldingFaceContact`, m.
+    height, size, grip, cosine : State
+        The strip's height, and how much of it is met (m); what the leg's ends and tilt leave of a contact;
+        cosine of the leg's tilt.
+    stored : State
+        Energy of the foam, and of the link to the next strip of the chain, J.
+    pivot, right, coupled : State
+        Of the elimination: diagonal, right side (N), and stiffness to the next strip (N/m).
+    piece, held : int
+        Piece of the leg's outline that is met; 1 where the strip presses, 0 where the skin is free.
+    chain : int
+        Row of the strip that comes at this row's place from the top among those that are met.
+    """
+
+    lower: Body
+    upper: Body
+    share: float
+    rest: float
+    in_start: int
+    in_points: int
+    back_start: int
+    back_points: int
+    foam_start: int
+    foam_points: int
+    layer: float
+    hysteresis: float
+    shape: float
+    loss: float
+    reversal: float
+    shear: float
+    skin: float
+    thickness: float
+    friction: float
+    order: int
+    depth: State = 0.0
+    force: State = 0.0
+    pressed: State = 0.0
+    most: State = 0.0
+    largest: State = 0.0
+    x: State = 0.0
+    z: State = 0.0
+    face: State = 0.0
+    shift: State = 0.0
+    climb: State = 0.0
+    height: State = 0.0
+    size: State = 0.0
+    grip: State = 0.0
+    cosine: State = 1.0
+    stored: State = 0.0
+    pivot: State = 0.0
+    right: State = 0.0
+    coupled: State = 0.0
+    before: State = 0.0
+    felt: State = 0.0
+    piece: int = 0
+    held: int = 0
+    chain: int = 0
+
+    @staticmethod
+    @compiled
+    def forces(strips: Rows[SkinnedFoamContact], now: Instant, load: Rows[Load], totals: Totals) -> None:
+        """Add the contact of leg and faces."""
+        lost = 0.0
+        for i in range(len(strips)):
+            strip = strips[i]
+            _place(strip, now)
+            strip.before, strip.felt = strip.pressed, strip.force
+            strip.force = 0.0
+            lost += strip.stored
+            strip.stored = 0.0
+        _meet(strips, now)
+        count = line_up(strips)
+        press_skin(strips, now, count)
+        for k in range(count):
+            strip = strips[strips[k].chain]
+            _, _, stored, work = foam_of(strip, now)
+            strip.most = max(strip.most, work)
+            by_height = _load_leg(strip, now, load, totals, stored)
+            felt = 0.5 * (strip.felt + strip.force)
+            lost += felt * (strip.pressed - strip.before + strip.shift - by_height * strip.climb)
+            if k < count - 1:
+                _, _, energy = link_below(strips, k)
+                stored += energy
+            strip.stored = stored
+            lost -= stored
+            totals.stored += stored
+            if strip.force > 0.0 and strip.grip > HALF:
+                totals.flesh_depth = max(totals.flesh_depth, strip.depth * strip.cosine / strip.layer)
+        totals.dissipated += lost
