@@ -93,13 +93,10 @@ def foam_of(strip: SkinStrip, now: Instant) -> tuple[float, float, float, float]
     )
     force, slope, stored = remembered(force, slope, work, strip.most, strip.hysteresis, strip.shape)
     if strip.loss > 0.0:
-        share = friction_share(
-            (strip.pressed - strip.before) * strip.cosine / now.step, strip.loss, strip.reversal
-        )
+        turn = strip.reversal * now.step / strip.cosine
+        share = friction_share(strip.pressed - strip.before, strip.loss, turn)
         slope *= 1.0 + share
-        slope += (
-            force * (strip.loss - share * share / strip.loss) / (strip.reversal * now.step) * strip.cosine
-        )
+        slope += force * (strip.loss - share * share / strip.loss) / turn / strip.cosine
         force *= 1.0 + share
     return strip.size * force, strip.size * slope * strip.cosine, strip.size * stored / strip.cosine, work
 

@@ -33,10 +33,11 @@ UNMOVED = (np.zeros(1), np.zeros((1, 3)))
 
 
 class _Front(NamedTuple):
-    """Bodies of a front's groups by name, and the friction of its faces."""
+    """Bodies of a front's groups by name, friction of its faces, and the leg's foam if it wears one."""
 
     bodies: dict[str, int]
     friction: float
+    foam: dict[str, float] | None
 
 
 def build_front(
@@ -65,14 +66,14 @@ def build_front(
     strips = [] if folding else face_strips(vehicle, ground)
     start = _touching(rig, [(s.x, s.z) for s in strips] + [s.start for s in folding], angle)
     bodies, links = add_groups(assembly, vehicle, ground)
-    front = _Front(bodies, float(vehicle.friction or 0.0))
+    front = _Front(bodies, float(vehicle.friction or 0.0), rig.foam_layer())
     _add_faces(rig, assembly, strips, start, front)
     _add_folding_faces(rig, assembly, folding, start, front)
     for link in links:
         for state in ("shortening", "force"):
             rig.record(f"spring {link.name} {state}", LawRow(link.law.words(), link.row), state)
-    rigid = "folding face contact" if folding else "vehicle front contact"
-    rig.mark_contact(rigid if rig.foam_layer() is None else "skinned foam contact")
+    bare = "folding face contact" if folding else "vehicle front contact"
+    rig.mark_contact(bare if front.foam is None else "skinned foam contact")
     rig.longest_approach = 0.01
     rig.draw("ground", "ground", box(-0.3, 0.5, ground - PLATE, ground))
     for name, group in vehicle.groups.items():
@@ -103,8 +104,8 @@ def _add_faces(
     rig: RigBuilder, assembly: Assembly, strips: list[FrontStrip], start: float, front: _Front
 ) -> None:
     """Let the leg's flesh meet the strips, which stand `start` (m) further along x than their document."""
-    foam = rig.foam_layer() if strips else None
-    layer = rig.flesh_layer() if strips and foam is None else {}
+    foam = front.foam
+    layer = rig.flesh_layer() if foam is None else {}
     for number, strip in enumerate(strips):
         lower, upper = (front.bodies[name] for name in (strip.lower, strip.upper))
         moved = (1 - strip.share) * assembly.centre(lower)[0] + strip.share * assembly.centre(upper)[0]
@@ -142,8 +143,8 @@ def _add_folding_faces(
     rig: RigBuilder, assembly: Assembly, strips: list[OutlineStrip], start: float, front: _Front
 ) -> None:
     """Let the leg's flesh meet faces that fold, which stand `start` (m) further along x."""
-    foam = rig.foam_layer() if strips else None
-    layer = rig.flesh_layer() if strips and foam is None else {}
+    foam = front.foam
+    layer = rig.flesh_layer() if foam is None else {}
     for number, strip in enumerate(strips):
         pushed = strip.pushed + np.array([start, 0.0, 0.0])
         group = front.bodies[strip.group]
