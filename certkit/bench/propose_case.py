@@ -53,7 +53,11 @@ def proposed_case(
 def _lines(proposal: Proposal) -> list[str]:
     lines = ["groups:"]
     for name, (kind, part) in proposal.groups.items():
-        lines.append(f'  {name}: {{kind: {kind}, parts: ["{part}"]}}')
+        rule, why = "", ""
+        if name in proposal.by_centre:
+            rule = ", moves with: centre of gravity"
+            why = "  # its front was not recorded; nodes on it would be better"
+        lines.append(f'  {name}: {{kind: {kind}, parts: ["{part}"]{rule}}}{why}')
     lines.append("paths:")
     lines += [_path(path) for path in proposal.paths]
     if proposal.left_over:

@@ -8,6 +8,7 @@ It is meant to be edited. The rules, each of which leaves its word in the propos
 - A contact or a spring to the ground lies at the parts whose names, or words of them, stand in its own name.
 - Faces next to each other in height pull on each other, since they are one sheet.
 - A path leads away from the impactor. A part without a known face that the impactor touches is fascia.
+- Where no path leads to the ground, what is pushed and leads nowhere stands on it.
 - The sheet's end, and a group from which nothing leads on, lean on the nearest group behind that is held.
   One that is held and pushed by none is pushed by the nearest in front.
 """
@@ -21,12 +22,12 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from certkit.errors import DataError
+from certkit.exchange.fe.faces import Face
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from certkit.exchange.fe import PartHistories
-    from certkit.exchange.fe.faces import Face
 
 ALONG = 2.0
 """dx/dz of a face beyond which it lies along the car: a grille leans at most so far."""
@@ -51,11 +52,15 @@ class ProposedPath:
 
 @dataclass(frozen=True)
 class Proposal:
-    """Groups as (kind, part) by their names, load paths, and contacts and springs that found no place."""
+    """Groups as (kind, part) by their names, load paths, and contacts and springs that found no place.
+
+    `by_centre` are the fascia groups whose front was not recorded: they move with their centres of gravity.
+    """
 
     groups: dict[str, tuple[str, str]]
     paths: list[ProposedPath] = field(default_factory=list)
     left_over: list[str] = field(default_factory=list)
+    by_centre: set[str] = field(default_factory=set)
 
 
 def propose(histories: PartHistories, faces: Mapping[str, Face]) -> Proposal:
@@ -66,6 +71,7 @@ def propose(histories: PartHistories, faces: Mapping[str, Face]) -> Proposal:
     DataError
         When no part has a momentum at the start.
     """
+    faces = {**_places(histories), **faces}
     moving = {
         name: abs(float(part.momentum[0]))
         for name, part in histories.parts.items()
@@ -85,7 +91,21 @@ def propose(histories: PartHistories, faces: Mapping[str, Face]) -> Proposal:
     _add_sheet(found, faces)
     _add_support(found, faces)
     _add_push(found, faces)
+    _add_ground(found)
+    for group, (kind, part) in found.groups.items():
+        moved = histories.parts[part]
+        if kind == "fascia" and moved.front is None and moved.displacement is not None:
+            found.by_centre.add(group)
     return found
+
+
+def _places(histories: PartHistories) -> dict[str, Face]:
+    """Return parts whose place the solver itself tells, without a face."""
+    return {
+        name: Face(part.mass or 0.0, centre=(part.start[0], part.start[2]))
+        for name, part in histories.parts.items()
+        if part.start is not None and part.start[0] is not None and part.start[2] is not None
+    }
 
 
 def _short(parts: Sequence[str]) -> dict[str, str]:
@@ -170,7 +190,11 @@ def _from_impactor(found: Proposal, histories: PartHistories) -> list[str]:
 
 def _add_sheet(found: Proposal, faces: Mapping[str, Face]) -> None:
     for kind in ("fascia", "hood"):
-        row = [group for group, (own, part) in found.groups.items() if own == kind and part in faces]
+        row = [
+            group
+            for group, (own, part) in found.groups.items()
+            if own == kind and part in faces and faces[part].low is not None
+        ]
         for lower, upper in pairwise(row):
             below, above = (faces[found.groups[group][1]] for group in (lower, upper))
             near = abs((above.low or 0.0) - (below.high or 0.0)) <= JOINED
@@ -215,6 +239,17 @@ def _add_push(found: Proposal, faces: Mapping[str, Face]) -> None:
             if other != group and own in faces
         }
         _add_nearest(found, group, before, "nothing else pushes it; the nearest group in front", away=False)
+
+
+def _add_ground(found: Proposal) -> None:
+    """Let what is pushed and leads nowhere stand on the ground, where no path leads there."""
+    if any(path.between[1] == "ground" for path in found.paths):
+        return
+    leading = {path.between[0] for path in found.paths}
+    for group in dict.fromkeys(path.between[1] for path in found.paths):
+        if group not in leading:
+            because = "nothing else takes up what it is given; give the spring, or leave it"
+            found.paths.append(ProposedPath((group, "ground"), because, law=False))
 
 
 def _add_nearest(

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from certkit.bench.propose_case import proposed_case
 from certkit.definitions.extraction_case import Case
 from certkit.definitions.loading.library import load
 from certkit.errors import DataError
 from certkit.exchange.fe.histories import ContactHistory, PartHistories, PartHistory, SpringHistory
 from certkit.exchange.fe.reading import read_case_data
+from certkit.identification.five_steps import extract
 from certkit.identification.grouping import build_graph
 from certkit.identification.grouping_proposal import Proposal, propose
 
@@ -71,6 +74,37 @@ def test_paths_lead_away_from_what_moves_and_what_it_touches_is_fascia() -> None
     ]
     assert found.groups["ball"][0] == "impactor"
     assert found.groups["skin"][0] == "fascia"
+
+
+def test_where_no_spring_was_recorded_the_last_group_stands_on_the_ground() -> None:
+    histories = replace(bumper(beam=0.0, foam=0.0, skin=0.0, ball=66.6), springs={})
+    last = propose(histories, {}).paths[-1]
+    assert (last.between, last.law) == (("beam", "ground"), False)
+
+
+def test_places_that_the_solver_tells_stand_in_for_a_table_of_groups() -> None:
+    histories = bumper(beam=0.0, foam=0.0, skin=0.0, ball=66.6)
+    spots = {"skin": 0.0, "foam": 0.05, "beam": 0.1, "ball": -0.05}
+    parts = {name: replace(part, start=(spots[name], 0.0, 0.5)) for name, part in histories.parts.items()}
+    contacts = {name: c for name, c in histories.contacts.items() if name != "foam-beam"}
+    found = propose(replace(histories, parts=parts, contacts=contacts), {})
+    foam = next(path for path in found.paths if path.between == ("foam", "beam"))
+    assert "the nearest group behind that is held" in foam.because
+
+
+def test_a_proposal_of_the_simple_bumper_can_be_extracted_as_it_is(tmp_path: Path) -> None:
+    text = (EXAMPLES / "bumper-reference/case.yaml").read_text("utf-8").partition("groups:")[0]
+    (tmp_path / "bare.yaml").write_text(text, "utf-8")
+    proposal = proposed_case(tmp_path / "bare.yaml", data=EXAMPLES / "bumper-reference")
+    (tmp_path / "case.yaml").write_text(proposal, "utf-8")
+    result = extract(load("case", tmp_path / "case.yaml").document, EXAMPLES / "bumper-reference")
+    assert result.closed
+    assert [path.name for path in result.paths] == [
+        "impactor – fascia",
+        "fascia – foam",
+        "foam – back",
+        "back – ground",
+    ]
 
 
 def test_where_nothing_moves_there_is_no_impactor() -> None:
