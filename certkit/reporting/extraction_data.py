@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 PLACE_UNIT = 1e-4
 """Places travel as whole tenths of a millimetre."""
+LETTERS = 14
+"""Of a group's name that stand beside it in motion."""
 BARS, INSET = 0.12, 0.008
 """m on the left of what moves, in which bars show the leg's force on each group, and their distance to it."""
 
@@ -138,7 +140,7 @@ def _means(times: Sequence[float], values: Sequence[float], frames: Sequence[flo
 def _line(line: MovingLine, worst: str | None, pressed: dict[str, list[float]]) -> dict[str, Any]:
     found: dict[str, Any] = {"name": line.name, "kind": line.kind, "closed": line.closed}
     if line.kind != "leg":
-        found["words"] = line.name
+        found["words"] = line.name if len(line.name) <= LETTERS else f"{line.name[: LETTERS - 1]}…"
     first = (line.run or line.model)[0] if line.run or line.model else ()
     if pressed and first:
         found["middle"] = round(0.5 * (first[0][1] + first[-1][1]), 4)

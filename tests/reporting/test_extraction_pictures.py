@@ -201,3 +201,17 @@ def test_links_at_the_top_lead_to_what_is_there(html: str) -> None:
     targets = re.findall(r'<a href="#([a-z-]+)">', html[: html.index("Held to the run")])
     assert len(targets) > 8
     assert all(f'id="{target}"' in html for target in targets if target != "main")
+
+
+def test_long_names_of_groups_are_cut_where_they_have_no_room(extraction: ExtractionResult) -> None:
+    long = "upper crossmember of the front end"
+    text = extraction.to_json().replace('"E1', f'"{long}').replace("– E1", f"– {long}")
+    named = ExtractionResult.from_json(text)
+    for drawing in (*sketches(named), *bars_of(named)):
+        shown = [e.text or "" for e in parsed(str(drawing)).iter() if e.tag.endswith("text")]
+        assert (
+            any(words.endswith("…") and long.startswith(words[:8]) for words in shown)
+            or long not in drawing.title
+        )
+        assert all(len(words) <= 40 for words in shown)
+    assert long in extraction_page(named)

@@ -96,8 +96,11 @@ def _css(pen: palette.Pen) -> str:
 
 def _legend(lines: Sequence[Line], title: str, width: float) -> list[tuple[int, float]]:
     """Return the row and the place of each key, leaving room for the plot's title and its unit."""
-    first = 6 + 6.6 * len(title) + 18
-    row, place = 0, first
+    first, row = 6 + 6.6 * len(title) + 18, 0
+    longest = max(27 + 6.2 * len(name) + 14 for name, _, _ in lines)
+    if first + longest > width - 40:  # no room beside a long title: below it
+        first, row = 6.0, 1
+    place = first
     found: list[tuple[int, float]] = []
     for name, _, _ in lines:
         length = 27 + 6.2 * len(name) + 14

@@ -25,7 +25,11 @@ WIDTH, HEIGHT, TOP, BOTTOM = 400.0, 520.0, 40.0, 26.0
 LEG, FACE, GROUND = 52.0, 150.0, 392.0
 """px: where the leg, the faces and the ground stand."""
 BOX, TALL = 34.0, 17.0
-"""px: size of a group behind the faces."""
+"""px: size of a group behind the faces, which grows with its name."""
+LETTERS, BESIDE = 13, 4
+NARROW = 32.0
+"""Letters of a name that are shown; of a face's name beside the number of what presses on it; px of a gap
+that is too narrow for a number."""
 BROADEST, LEAST = 26.0, 0.004
 """px of the broadest path; share of it below which a path is left out."""
 BULGE = 30.0
@@ -103,7 +107,10 @@ def _sketch(result: ExtractionResult, impulses: Mapping[str, float], title: str,
         band, at = _band(source, target, breadth, pulls=value < 0, name=path.name, value=value)
         bands += band
         if abs(value) > TOLD * largest:
-            words += _number(at, value, taken)
+            beside = (source.x == LEG and len(_short(path.target)) > BESIDE) or (
+                0 < target.left - source.right < NARROW
+            )
+            words += _number((at[0], at[1] + 13) if beside else at, value, taken)
             said.append(f"{path.name} {plain(value, 3)}")
     leg = tag(
         "rect", x=LEG - 6, y=TOP - 8, width=12, height=HEIGHT - BOTTOM - TOP + 8, rx=5, class_="leg-bar"
@@ -119,6 +126,11 @@ def _sketch(result: ExtractionResult, impulses: Mapping[str, float], title: str,
     drawn += "".join(boxes) + words
     listed = "; ".join(said)
     return Drawing(WIDTH, HEIGHT, drawn, f"{title}: load paths with their impulses in N·s: {listed}")
+
+
+def _short(name: str) -> str:
+    """Return a name as it fits in the sketch."""
+    return name if len(name) <= LETTERS else f"{name[: LETTERS - 1]}…"
 
 
 def _axis(z: Scale) -> str:
@@ -155,7 +167,8 @@ def _places(result: ExtractionResult, z: Scale) -> dict[str, _Place]:
                 continue
             y = max(z(heights[name]), last + TALL + 4)
             last = y
-            places[name] = _Place(x, y, x - BOX / 2, x + BOX / 2)
+            half = max(BOX, 6.3 * len(_short(name)) + 8) / 2
+            places[name] = _Place(x, y, x - half, x + half)
     return places
 
 
@@ -233,7 +246,7 @@ def _number(at: tuple[float, float], value: float, taken: list[tuple[float, floa
 
 def _ground(x: float, y: float, words: str) -> str:
     """Draw a patch of paper on which words centred at x can be read."""
-    width = 6.2 * len(words) + 4
+    width = 5.9 * len(words) + 6
     return tag(
         "rect",
         x=x - width / 2,
@@ -264,18 +277,22 @@ def _box(group: GroupResult, place: _Place, z: Scale, *, worst: bool) -> str:
         name = label(
             place.left - 5,
             place.z + 4,
-            group.name,
+            _short(group.name),
             text_anchor="end",
             class_="worst-group" if worst else "key",
             font_weight="600",
             fill=colour,
         )
-        return bar + _ground(place.left - 6 - 3.1 * len(group.name), place.z + 4, group.name) + name
+        return (
+            bar
+            + _ground(place.left - 5 - 3 * len(_short(group.name)), place.z + 4, _short(group.name))
+            + name
+        )
     frame = tag(
         "rect",
         x=place.left,
         y=place.z - TALL / 2,
-        width=BOX,
+        width=place.right - place.left,
         height=TALL,
         rx=4,
         fill=palette.PAPER,
@@ -283,4 +300,4 @@ def _box(group: GroupResult, place: _Place, z: Scale, *, worst: bool) -> str:
         stroke_width=2 if worst else 1.2,
         class_="group-box worst-box" if worst else "group-box",
     )
-    return frame + label(place.x, place.z + 4, group.name, text_anchor="middle", class_="key")
+    return frame + label(place.x, place.z + 4, _short(group.name), text_anchor="middle", class_="key")

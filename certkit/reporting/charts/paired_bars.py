@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     Row = tuple[str, float, float]
 
 WIDTH, TOP, ROW, BAR = 360.0, 46.0, 34.0, 11.0
+LETTERS = 26
+"""Of a name that are shown."""
 LEAST = 0.03
 """Share of the largest below which a pair is left out."""
 
@@ -64,7 +66,7 @@ def paired_bars(rows: Sequence[Row], title: str, unit: str) -> Drawing | None:
     shown = [row for row in rows if max(abs(row[1]), abs(row[2])) > LEAST * largest]
     if not shown:
         return None
-    left = 16 + 6.6 * max(len(name) for name, _, _ in shown)
+    left = 16 + 6.6 * min(max(len(name) for name, _, _ in shown), LETTERS)
     low, high = span([0.0, *(v for _, run, model in shown for v in (run, model))], margin=0.0)
     x = Scale(low, high, left + (40 if low < 0 else 0), WIDTH - 52)
     bottom = TOP + ROW * len(shown)
@@ -76,7 +78,13 @@ def paired_bars(rows: Sequence[Row], title: str, unit: str) -> Drawing | None:
         drawn += _bar(6 + 70 * k, 22, 18, k) + label(29 + 70 * k, 31.5, words, class_="key")
     for row, (name, *pair) in enumerate(shown):
         y = TOP + ROW * row
-        drawn += label(left - 8, y + BAR + 5, name, text_anchor="end", class_="key")
+        drawn += label(
+            left - 8,
+            y + BAR + 5,
+            name if len(name) <= LETTERS else f"{name[: LETTERS - 1]}…",
+            text_anchor="end",
+            class_="key",
+        )
         for k, value in enumerate(pair):
             start, end = sorted((x(0.0), x(value)))
             drawn += _bar(start, y + k * (BAR + 1), max(end - start, 0.8), k)
