@@ -5,12 +5,12 @@ The breadth of a path is its impulse, which adds up: what enters a group and doe
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.grid import together
+from certkit.reporting.charts.group_places import FACE, GROUND, TALL, GroupPlace, group_places, short
 from certkit.reporting.coupled_check import check_of, worst_group
 from certkit.reporting.number_format import plain
 from certkit.reporting.scales import Scale, ticks
@@ -22,14 +22,10 @@ if TYPE_CHECKING:
     from certkit.documents.extraction import ExtractionResult, GroupResult
 
 WIDTH, HEIGHT, TOP, BOTTOM = 400.0, 520.0, 40.0, 26.0
-LEG, FACE, GROUND = 52.0, 150.0, 392.0
-"""px: where the leg, the faces and the ground stand."""
-BOX, TALL = 34.0, 17.0
-"""px: size of a group behind the faces, which grows with its name."""
-LETTERS, BESIDE = 13, 4
-NARROW = 32.0
-"""Letters of a name that are shown; of a face's name beside the number of what presses on it; px of a gap
-that is too narrow for a number."""
+LEG = 52.0
+"""px: where the leg stands."""
+BESIDE, NARROW = 4, 32.0
+"""Letters of a face's name beside the number of what presses on it; px of a gap too narrow for a number."""
 BROADEST, LEAST = 26.0, 0.004
 """px of the broadest path; share of it below which a path is left out."""
 BULGE = 30.0
@@ -37,14 +33,6 @@ BULGE = 30.0
 TOLD = 0.02
 """Share of the largest from which a path's number stands on it."""
 GROUND_NAME = "ground"
-
-
-@dataclass(frozen=True)
-class _Place:
-    x: float
-    z: float
-    left: float
-    right: float
 
 
 def draw(result: ExtractionResult, names: Sequence[str]) -> Drawing | None:
@@ -85,7 +73,7 @@ def _sketch(result: ExtractionResult, impulses: Mapping[str, float], title: str,
     faces = [g for g in result.groups if g.position is not None and g.low is not None and g.high is not None]
     low, high = min(g.low or 0.0 for g in faces) - 0.06, max(g.high or 0.0 for g in faces) + 0.06
     z = Scale(low, high, HEIGHT - BOTTOM, TOP)
-    places = _places(result, z)
+    places = group_places(result, z)
     drawn = _axis(z) + label(6, 14, title, font_weight="600", class_="title")
     drawn += label(WIDTH - 6, 14, "impulse, N·s", text_anchor="end", fill=palette.MUTED, class_="tick unit")
     bands, words, said = "", "", []
@@ -98,16 +86,16 @@ def _sketch(result: ExtractionResult, impulses: Mapping[str, float], title: str,
         value = impulses[path.name]
         source, target = places.get(path.source), places.get(path.target)
         if target is None and path.target == GROUND_NAME and source is not None:
-            target = _Place(GROUND, source.z, GROUND, GROUND)
+            target = GroupPlace(GROUND, source.z, GROUND, GROUND)
         if groups.get(path.source) and groups[path.source].kind == "impactor" and target is not None:
-            source = _Place(LEG, target.z, LEG, LEG + 6)
+            source = GroupPlace(LEG, target.z, LEG, LEG + 6)
         if source is None or target is None:
             continue
         breadth = max(BROADEST * abs(value) / largest, 0.8)
         band, at = _band(source, target, breadth, pulls=value < 0, name=path.name, value=value)
         bands += band
         if abs(value) > TOLD * largest:
-            beside = (source.x == LEG and len(_short(path.target)) > BESIDE) or (
+            beside = (source.x == LEG and len(short(path.target)) > BESIDE) or (
                 0 < target.left - source.right < NARROW
             )
             words += _number((at[0], at[1] + 13) if beside else at, value, taken)
@@ -128,11 +116,6 @@ def _sketch(result: ExtractionResult, impulses: Mapping[str, float], title: str,
     return Drawing(WIDTH, HEIGHT, drawn, f"{title}: load paths with their impulses in N·s: {listed}")
 
 
-def _short(name: str) -> str:
-    """Return a name as it fits in the sketch."""
-    return name if len(name) <= LETTERS else f"{name[: LETTERS - 1]}…"
-
-
 def _axis(z: Scale) -> str:
     drawn = ""
     for value in ticks(z.low * 1e3, z.high * 1e3, 8):
@@ -143,58 +126,8 @@ def _axis(z: Scale) -> str:
     return drawn + label(6, HEIGHT - 8, words, fill=palette.MUTED, class_="tick")
 
 
-def _places(result: ExtractionResult, z: Scale) -> dict[str, _Place]:
-    """Return where groups stand: faces in front, others the farther right the later they are reached."""
-    heights = _heights(result)
-    faces = {g.name for g in result.groups if g.position is not None}
-    inside = [g.name for g in result.groups if g.kind != "impactor" and g.name not in faces]
-    depth = dict.fromkeys(faces, 0)
-    for _ in inside:
-        for path in result.paths:
-            if path.source in depth and path.target in inside and path.target != path.source:
-                depth[path.target] = min(
-                    max(depth.get(path.target, 0), depth[path.source] + 1), max(len(inside), 1)
-                )
-    deepest = max((depth.get(name, 1) for name in inside), default=1)
-    step = (GROUND - FACE - 60) / max(deepest, 1)
-    places = {name: _Place(FACE, z(heights[name]), FACE - 5, FACE + 5) for name in faces if name in heights}
-    for column in range(1, deepest + 1):
-        x = FACE + 30 + step * (column - 0.35)
-        members = sorted((n for n in inside if depth.get(n, 1) == column), key=lambda n: -heights.get(n, 0.0))
-        last = -1e9
-        for name in members:
-            if name not in heights:
-                continue
-            y = max(z(heights[name]), last + TALL + 4)
-            last = y
-            half = max(BOX, 6.3 * len(_short(name)) + 8) / 2
-            places[name] = _Place(x, y, x - half, x + half)
-    return places
-
-
-def _heights(result: ExtractionResult) -> dict[str, float]:
-    """Return the middle height of each group, m: of its face, of its nodes, or of what presses on it."""
-    heights = {
-        g.name: 0.5 * (g.low + g.high) for g in result.groups if g.low is not None and g.high is not None
-    }
-    for line in result.motion.lines if result.motion else ():
-        if line.name not in heights and line.kind == "inside":
-            first = (line.run or line.model)[0]
-            heights[line.name] = sum(z for _, z in first) / len(first)
-    for _ in result.groups:
-        for group in result.groups:
-            if group.name in heights or group.kind == "impactor":
-                continue
-            pressing = [
-                heights[p.source] for p in result.paths if p.target == group.name and p.source in heights
-            ]
-            if pressing:
-                heights[group.name] = sum(pressing) / len(pressing)
-    return heights
-
-
 def _band(
-    source: _Place, target: _Place, breadth: float, *, pulls: bool, name: str, value: float
+    source: GroupPlace, target: GroupPlace, breadth: float, *, pulls: bool, name: str, value: float
 ) -> tuple[str, tuple[float, float]]:
     """Draw a path as a curve of its breadth, and return where its number stands; one that pulls is dashed."""
     if abs(source.x - target.x) < 1:  # neighbours: an arc in front of both
@@ -260,7 +193,7 @@ def _ground(x: float, y: float, words: str) -> str:
     )
 
 
-def _box(group: GroupResult, place: _Place, z: Scale, *, worst: bool) -> str:
+def _box(group: GroupResult, place: GroupPlace, z: Scale, *, worst: bool) -> str:
     colour = palette.VERDICT["fail"] if worst else palette.INK
     if group.position is not None:
         top, bottom = z(group.high or 0.0), z(group.low or 0.0)
@@ -277,16 +210,14 @@ def _box(group: GroupResult, place: _Place, z: Scale, *, worst: bool) -> str:
         name = label(
             place.left - 5,
             place.z + 4,
-            _short(group.name),
+            short(group.name),
             text_anchor="end",
             class_="worst-group" if worst else "key",
             font_weight="600",
             fill=colour,
         )
         return (
-            bar
-            + _ground(place.left - 5 - 3 * len(_short(group.name)), place.z + 4, _short(group.name))
-            + name
+            bar + _ground(place.left - 5 - 3 * len(short(group.name)), place.z + 4, short(group.name)) + name
         )
     frame = tag(
         "rect",
@@ -300,4 +231,4 @@ def _box(group: GroupResult, place: _Place, z: Scale, *, worst: bool) -> str:
         stroke_width=2 if worst else 1.2,
         class_="group-box worst-box" if worst else "group-box",
     )
-    return frame + label(place.x, place.z + 4, _short(group.name), text_anchor="middle", class_="key")
+    return frame + label(place.x, place.z + 4, short(group.name), text_anchor="middle", class_="key")
