@@ -1,4 +1,4 @@
-"""Where the groups of a front stand in a sketch of its load paths: to scale in height, by their order across."""
+"""Where the groups of a front stand in a sketch of its load paths: in height to scale, across by order."""
 
 from __future__ import annotations
 
