@@ -19,6 +19,7 @@ from certkit.bench.contact_places import recorded_forces
 from certkit.bench.front_frames import front_motion
 from certkit.bench.path_checks import path_checks
 from certkit.bench.setup import prepare
+from certkit.bench.tried_check import TITLES, tried
 from certkit.documents.self_check import GroupCheck, SelfCheck
 from certkit.identification.vehicle_file import vehicle_text
 from certkit.signals.cfc import cfc
@@ -39,6 +40,8 @@ if TYPE_CHECKING:
 PROCEDURE = "vehicle-fe-front"
 UNTIL = 0.045
 """s: later a leg hardly touches a front."""
+FINE = 1e-4
+"""s: histories of coarser steps are interpolated, since the filter of the peaks asks for more."""
 STILL = 0.1
 """Share of the largest movement of a face below which a face's error is not judged: it does not move."""
 
@@ -105,10 +108,7 @@ def self_checks(
     FrontMotion or None
         Of the last; None where there is none.
 
-    Raises
-    ------
-    RunError
-        When a run does not finish.
+    A run that does not come to its end is a check that failed, and says why.
     """
     settings = case.settings
     until = UNTIL if settings.check_until is None else float(settings.check_until)
@@ -119,15 +119,22 @@ def self_checks(
         vehicle = Path(folder) / "vehicle.yaml"
         vehicle.write_text(vehicle_text(result), encoding="utf-8")
         setup = prepare(procedure, overrides={"vehicle": str(vehicle)})
+    axis = _axis(run)[:2]
     tell("self-check: the front alone")
-    alone = _front_alone(run, setup)
+    checks = [tried("front alone", axis, run.until, lambda: _front_alone(run, setup))]
     if not data.histories.leg:  # the impactor was no leg, or nothing is known of it
-        return (alone,), None
+        return tuple(checks), None
     tell("self-check: the leg alone")
-    leg = _leg_alone(run, setup)
+    checks.append(tried("leg alone", axis, run.until, lambda: _leg_alone(run, setup)))
     tell("self-check: leg and front")
-    coupled, motion = _coupled(run, setup)
-    return (alone, leg, coupled), motion
+    motions: list[FrontMotion | None] = [None]
+
+    def coupled() -> SelfCheck:
+        check, motions[0] = _coupled(run, setup)
+        return check
+
+    checks.append(tried("coupled", axis, run.until, coupled))
+    return tuple(checks), motions[0]
 
 
 def _front_alone(run: _Run, setup: Setup) -> SelfCheck:
@@ -138,7 +145,7 @@ def _front_alone(run: _Run, setup: Setup) -> SelfCheck:
     forces = recorded_forces(run.result, None, face=0.0, thickness=1.0)
     driven = drive_front(setup.vehicle, forces, run.until)
     moved = {name: np.interp(run.time, driven.time, x) for name, x in driven.displacement.items()}
-    return _checked(run, "front alone", "The front alone, driven by the run's contact forces", moved)
+    return _checked(run, "front alone", moved)
 
 
 def _leg_alone(run: _Run, setup: Setup) -> SelfCheck:
@@ -152,7 +159,7 @@ def _leg_alone(run: _Run, setup: Setup) -> SelfCheck:
     start, interval, _ = _axis(run)
     return SelfCheck(
         id="leg alone",
-        title="The leg alone, driven by the run's contact forces",
+        title=TITLES["leg alone"],
         start=start,
         interval=interval,
         until=run.until,
@@ -180,7 +187,7 @@ def _coupled(run: _Run, setup: Setup) -> tuple[SelfCheck, FrontMotion | None]:
         name: np.interp(run.time, time, np.array(series.values), left=0.0)
         for name, series in front.contact.series.items()
     }
-    check = _checked(run, "coupled", "Leg and front together", moved, forces)
+    check = _checked(run, "coupled", moved, forces)
     recording = done.recording
     force = np.interp(run.time, run.start + recording.time, recording["contact force"].values, left=0.0)
     total = sum((f for _, f in run.contacts.values()), np.zeros_like(run.time))
@@ -188,7 +195,11 @@ def _coupled(run: _Run, setup: Setup) -> tuple[SelfCheck, FrontMotion | None]:
     impulse, wanted = float(force.sum() * interval), float(sum(i[-1] for i, _ in run.contacts.values()))
     impactor = next(group for group in run.result.groups if group.kind == "impactor")
     left = impactor.momentum[run.time.size - 1]
-    peaks = [float(cfc(values, interval, FREQUENCY_CLASS).max()) for values in (force, total)]
+    fine = np.arange(run.time[0], run.time[-1], min(interval, FINE))
+    peaks = [
+        float(cfc(np.interp(fine, run.time, values), float(fine[1] - fine[0]), FREQUENCY_CLASS).max())
+        for values in (force, total)
+    ]
     wrong = sum(abs((g.impulse or 0.0) - (g.run_impulse or 0.0)) for g in check.groups)
     channels = channel_checks(run.data, done, start=run.start, until=run.until)
     every = _axis(run)[2]
@@ -210,7 +221,7 @@ def _coupled(run: _Run, setup: Setup) -> tuple[SelfCheck, FrontMotion | None]:
 
 
 def _checked(
-    run: _Run, key: str, title: str, moved: Mapping[str, Values], forces: Mapping[str, Values] | None = None
+    run: _Run, key: str, moved: Mapping[str, Values], forces: Mapping[str, Values] | None = None
 ) -> SelfCheck:
     """Compare the groups' movement, and the impulse and work on each where the forces are known."""
     interval = float(run.time[1] - run.time[0])
@@ -251,7 +262,7 @@ def _checked(
     worst = max(judged) if judged else None
     return SelfCheck(
         id=key,
-        title=title,
+        title=TITLES[key],
         start=start,
         interval=thinned,
         until=run.until,

@@ -105,6 +105,8 @@ class SelfCheck(Part):
         Whether the movement stays within the case's limits; None where nothing moves.
     paths : tuple of PathCheck
         Springs and sheets in the coupled run, in the order of the extraction's paths.
+    failed : str or None
+        Why the run did not come to its end; nothing else is known of it then.
     """
 
     id: str
@@ -122,3 +124,4 @@ class SelfCheck(Part):
     wrong_group_percent: Figure | None = None
     within: bool | None = None
     paths: tuple[PathCheck, ...] = ()
+    failed: str | None = None

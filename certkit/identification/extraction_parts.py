@@ -15,6 +15,7 @@ from certkit.documents.extraction import (
     PathResult,
     SheetResult,
 )
+from certkit.exchange.fe.faces import joint_face
 from certkit.identification.balance import BY_MOMENTUM
 from certkit.identification.displacement import shortening
 from certkit.identification.path_energy import PathEnergy, path_energy
@@ -33,8 +34,7 @@ if TYPE_CHECKING:
 def group_result(name: str, steps: FirstSteps) -> GroupResult:
     """Return a group with its face and movement."""
     group, parts = steps.case.groups[name], steps.graph.groups[name]
-    faces = [steps.data.faces[part] for part in parts if part in steps.data.faces]
-    face = faces[0] if len(faces) == 1 else None
+    face = joint_face([steps.data.faces[part] for part in parts if part in steps.data.faces])
     outlines = steps.outlines.get(name) if face is not None and face.position is not None else None
 
     def of_face(key: str) -> float | None:

@@ -43,7 +43,7 @@ def _table(check: SelfCheck) -> str:
 
 def check_sentence(check: SelfCheck) -> str:
     """Say what a self-check found, the worst group first."""
-    said = []
+    said = [] if check.failed is None else [check.failed]
     if check.worst_percent is not None:
         worst = next(group for group in check.groups if group.rms_percent == check.worst_percent)
         said.append(

@@ -13,7 +13,7 @@ from certkit.exchange.fe.checks import read_bytes
 from certkit.exchange.fe.numeric_table import read_cells
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
     from pathlib import Path
 
     from numpy.typing import NDArray
@@ -33,6 +33,30 @@ class Face:
     position: float | None = None
     slope: float | None = None
     centre: tuple[float, float] | None = None
+
+
+def joint_face(faces: Sequence[Face]) -> Face | None:
+    """Return the face of several parts: one line from the lowest part's lower end to the highest's upper end.
+
+    None where none of them has a face.
+    """
+    own = [face for face in faces if None not in (face.low, face.high, face.position)]
+    if len(own) < 2:
+        return own[0] if own else None
+
+    def at(face: Face, high: bool) -> tuple[float, float]:  # noqa: FBT001  # which end
+        low, top = float(face.low or 0.0), float(face.high or 0.0)
+        rise = 0.5 * (top - low) * float(face.slope or 0.0)
+        return (top if high else low), float(face.position or 0.0) + (rise if high else -rise)
+
+    (low, x_low), (high, x_high) = min(at(f, False) for f in own), max(at(f, True) for f in own)
+    return Face(
+        mass=sum(face.mass for face in faces),
+        low=low,
+        high=high,
+        position=0.5 * (x_low + x_high),
+        slope=(x_high - x_low) / (high - low),
+    )
 
 
 def read_faces(table: Path, outlines: Path | None) -> tuple[dict[str, Face], dict[str, str]]:
