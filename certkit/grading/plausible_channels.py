@@ -10,7 +10,7 @@ import numpy as np
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.grading.channels_of_leg import LegChannels
 from certkit.reasons import Reason
-from certkit.signals.clipping import find_clippings
+from certkit.signals.clipping import beyond_class, find_clippings
 from certkit.signals.noise import FREE_FLIGHT_NOISE
 from certkit.signals.plausibility_motion import (
     WINDOW,
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from certkit.grading.trace import EvaluationWindow
     from certkit.signals import Filtered
 
-KEPT = ("clipped-kept", "sign-turned")
+KEPT = ("clipped-kept", "beyond-class-kept", "sign-turned")
 """Notes of a channel that was kept with --lenient though its values are no evidence."""
 FREE_LIGAMENT = 3.0
 """Times the elongation that the shortening of a ligament without a known sign has to be to count as turned;
@@ -143,6 +143,27 @@ def _clipped(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
             )
 
 
+def _beyond_class(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
+    """Yield measured channels that go beyond their amplitude class, where nothing vouches for their chain."""
+    if leg.filtered.recording.kind != "measured":
+        return
+    for name, channel in leg.channels.items():
+        limit = leg.amplitude_class(name)
+        found = beyond_class(channel.values[: leg.end], limit)
+        if found is not None:
+            scale, unit = channel.dimension.scale, channel.dimension.unit
+            yield (
+                name,
+                Reason.of(
+                    "beyond-class",
+                    level=found.level * scale,
+                    limit=limit * scale,
+                    unit=unit,
+                    time=leg.at(found.index),
+                ),
+            )
+
+
 def _dead(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that do not move though the bones do."""
     for name, values in leg.after.items():
@@ -239,6 +260,7 @@ CHECKS: tuple[Callable[[LegChannels], Iterator[tuple[str, Reason]]], ...] = (
     _steps,
     _drop_outs,
     _clipped,
+    _beyond_class,
     _dead,
     _frozen,
     _turned,

@@ -4,6 +4,10 @@ Two signs are looked for: samples at the channel amplitude class (ISO 6487), and
 shoulders. A smooth peak is flat too, within any band d below its top; but a parabola as wide as w within the
 band falls off by 9·d within another w beside it. A clipped top falls off by far more, whether its plateau is
 perfectly flat, toggles by a digit, carries noise or reaches the record's end.
+
+A channel that goes on beyond its class, as that of a ligament that has torn, was not cut off there; what
+holds beyond the class is for `beyond_class` to tell. Nor is a plateau on the smaller side cut off that lasts
+until the record's end: there the channel has dropped, and its peak stands before.
 """
 
 from __future__ import annotations
@@ -26,7 +30,7 @@ between by its logarithm): the wider the band, the less a smooth peak keeps it. 
 legs of the shipped family in pendulum, inverse and four vehicle tests have 88 at a share of 0.0006, 75 at
 0.006, 57 at 0.01, 37 at 0.022 and 25 at 0.03; a peak cut at six tenths has 32 at 0.03 already."""
 AT_CLASS = 0.9995
-"""Share of the amplitude class that counts as reaching it."""
+"""Share of the amplitude class that counts as reaching it; more than its inverse has gone beyond."""
 STEEP_SMALLER = 2.0
 """Times as many bands for the smaller side; a swing of two humps has 38 at 0.001 there in a shipped run."""
 SMALL = 0.115
@@ -40,6 +44,8 @@ NARROW = 1e-3
 """Share of the swing up to which one steep shoulder is enough: so near its top every peak is a parabola."""
 STEEP_ALONE = 190.0
 """Narrow bands that one shoulder has to fall by; the steepest flank of the family's legs has 175."""
+STEP, STEP_SAMPLES = 0.6, 2
+"""Share of a shoulder's fall that a step does within so many samples; the flank of a blow takes several."""
 SHOULDER = 0.02
 """Share of the channel's whole swing that the shoulders have to fall by: waves of filtered noise do not."""
 _BESIDE = 0.25
@@ -84,7 +90,8 @@ def find_clippings(
     sides: list[tuple[int, float, float]] = []
     for row, limit in enumerate(amplitude_classes):
         if limit is not None:
-            found[row] = _at_limit(rows[row], limit) if largest[row] >= AT_CLASS * limit else None
+            stopped = AT_CLASS * limit <= largest[row] <= limit / AT_CLASS
+            found[row] = _at_limit(rows[row], limit) if stopped else None
             if found[row] is not None or largest[row] < SMALL * limit:
                 continue
         sides += [
@@ -103,6 +110,24 @@ def find_clippings(
         if begin >= 0 and found[row] is None:
             found[row] = Clipping(sign * top, int(begin))
     return found
+
+
+def beyond_class(values: NDArray[np.float64], limit: float) -> Clipping | None:
+    """Return the largest value beyond an amplitude class, and where two neighbouring samples first are.
+
+    ISO 6487 promises nothing of what a measuring chain shows there. A simulation has no such chain.
+
+    Parameters
+    ----------
+    values : ndarray, shape (n,)
+        As recorded.
+    limit : float
+        The amplitude class, in the unit of the values.
+    """
+    size = np.abs(values)
+    over = size > limit / AT_CLASS
+    both = np.flatnonzero(over[1:] & over[:-1])
+    return Clipping(float(values[np.argmax(size)]), int(both[0])) if both.size else None
 
 
 def _at_limit(values: NDArray[np.float64], limit: float) -> Clipping | None:
@@ -159,10 +184,16 @@ def _flat_tops(
     )
     shares, least = heights / swings[:, np.newaxis], SHOULDER * swings[:, np.newaxis]
     steep = times[:, np.newaxis] * np.interp(np.log(shares), np.log(STEEP[0]), STEEP[1])
+    # A plateau of the smaller side that lasts until the record's end is what a dropped channel leaves.
+    lasting = (times > 1.0)[:, np.newaxis] & np.isnan(falls[1])
     found = np.fmin(*falls) > np.maximum(steep * heights, least)
     # A dip within the flat looks like a second, shallow shoulder; the other one still tells.
     alone = (np.fmax(*falls) > np.maximum(STEEP_ALONE * heights, least)) & (shares <= NARROW)
-    hits = (found | alone) & (widths >= FLAT_SAMPLES)
+    for row, band in np.argwhere(alone & ~found):
+        side = int(falls[1][row, band] == np.fmax(falls[0][row, band], falls[1][row, band]))
+        edge = values[row, end[row, band] - 1 :] if side else values[row, begin[row, band] :: -1]
+        alone[row, band] = not _steps_down(edge[: widths[row, band] + 1])
+    hits = (found | alone) & (widths >= FLAT_SAMPLES) & ~lasting
     first = hits.argmax(axis=1)
     return np.where(hits.any(axis=1), begin[np.arange(len(begin)), first], -1)
 
@@ -181,6 +212,15 @@ def _reach(outwards: NDArray[np.float64], floors: NDArray[np.float64]) -> NDArra
     last = int(below.argmax()) if below.any() else outwards.size
     lowest = np.minimum.accumulate(outwards[: last + 1])
     return np.searchsorted(-lowest, -floors, side="right")
+
+
+def _steps_down(shoulder: NDArray[np.float64]) -> bool:
+    """Tell whether a shoulder, shape (n,), from the flat's edge outwards, falls by a step.
+
+    No flank of a blow that was cut off does; a sensor that was torn off may.
+    """
+    jumps = shoulder[:-STEP_SAMPLES] - shoulder[STEP_SAMPLES:]
+    return bool(jumps.size and jumps.max() > STEP * (shoulder[0] - shoulder[-1]))
 
 
 def _falls(

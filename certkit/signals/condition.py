@@ -16,7 +16,7 @@ import numpy as np
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.errors import DataError
 from certkit.reasons import Reason
-from certkit.signals.clipping import find_clipping
+from certkit.signals.clipping import beyond_class, find_clipping
 from certkit.signals.noise import FREE_FLIGHT_NOISE, WINDOW, free_flight
 from certkit.signals.offset import MARGIN, SHORTEST, quiet_interval, remove_offset
 from certkit.signals.polarity import LOUD, is_swapped
@@ -137,21 +137,28 @@ def unclipped(recording: Recording, situation: Situation) -> Recording:
 
     def check(channel: Channel) -> Channel:
         kind = recording.table.kinds.get(channel.name)
-        clipping = find_clipping(channel.values[:end], kind.amplitude_class if kind else None)
-        if clipping is None:
+        limit = kind.amplitude_class if kind else None
+        values = channel.values[:end]
+        found = clipped = find_clipping(values, limit)
+        if found is None and limit is not None and recording.kind == "measured":
+            found = beyond_class(values, limit)
+        if found is None:
             return channel
-        shown = f"{clipping.level * channel.dimension.scale:.6g} {channel.dimension.unit}"
-        said = f"clipped at {shown} from {recording.time[clipping.index] * 1e3:.3f} ms on"
+        said = "is clipped at {} from {:.3f} ms on; its peak is lost"
+        if clipped is None:
+            said = "goes beyond its amplitude class, to {}, from {:.3f} ms on; nothing vouches for it there"
+        level, unit = found.level * channel.dimension.scale, channel.dimension.unit
+        time = float(recording.time[found.index]) * 1e3
         if not situation.lenient:
             raise DataError(
-                f"{recording.source or 'recording'}: channel `{channel.name}` is {said}; its peak is lost. "
+                f"{recording.source or 'recording'}: channel `{channel.name}` "
+                f"{said.format(f'{level:.6g} {unit}', time)}. "
                 "Leave the channel out, or accept it as it is with --lenient"
             )
-        note = Reason.of(
-            "clipped-kept",
-            level=clipping.level * channel.dimension.scale,
-            unit=channel.dimension.unit,
-            time=float(recording.time[clipping.index]) * 1e3,
+        note = (
+            Reason.of("clipped-kept", level=level, unit=unit, time=time)
+            if clipped is not None
+            else Reason.of("beyond-class-kept", level=level, unit=unit, time=time)
         )
         return replace(channel, notes=(*channel.notes, note))
 

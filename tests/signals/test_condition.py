@@ -10,7 +10,7 @@ from support.curves import Floats, channel, half_sine, recording
 
 from certkit.errors import DataError
 from certkit.reasons import Reason
-from certkit.signals.clipping import find_clipping
+from certkit.signals.clipping import AT_CLASS, Clipping, beyond_class, find_clipping
 from certkit.signals.condition import (
     Situation,
     noise_noted,
@@ -83,6 +83,27 @@ def test_an_amplifier_that_cuts_off_below_the_class_is_found_too():
     found = find_clipping(values, 400.0)
     assert found is not None
     assert found.level == 200.0
+
+
+def test_a_channel_that_goes_on_beyond_its_class_was_not_cut_off_there():
+    """As the elongation of a ligament that has torn: a round peak, for which no measuring chain vouches."""
+    values = half_sine(TIME, 460.0)
+    assert find_clipping(values, 400.0) is None
+    assert beyond_class(values, 400.0) == Clipping(460.0, int(np.argmax(values > 400.0 / AT_CLASS)))
+    assert beyond_class(half_sine(TIME, 399.0), 400.0) is None
+    rec = recording(TIME, {"T1": values})
+    with pytest.raises(DataError, match=r"`T1` goes beyond its amplitude class, to 460 N·m, from "):
+        unclipped(rec, CERTIFIED)
+    assert unclipped(rec, LENIENT)["T1"].notes[0].code == "beyond-class-kept"
+    assert unclipped(replace(rec, kind="simulated"), CERTIFIED)["T1"].notes == ()
+
+
+@pytest.mark.parametrize("level", [-0.5, 0.0, 0.4])
+def test_a_channel_that_has_dropped_to_a_plateau_was_not_cut_off(level: float):
+    """As that of a sensor that was torn off after the peak."""
+    values = half_sine(TIME, 250.0)
+    dropped = np.where(np.arange(TIME.size) > values.argmax() + 20, level * 250.0, values)
+    assert find_clipping(dropped, 400.0) is None
 
 
 def test_a_clipped_rebound_is_found():
