@@ -103,8 +103,11 @@ def tell_files(written: Sequence[Path]) -> None:
         typer.echo(f"wrote {path}", err=True)
 
 
-def show(results: Sequence[Result], *, as_json: bool, folder: Path) -> None:
-    """Print the verdict tables, or the document alone; tell the CI service beside them."""
+def show(results: Sequence[Result], *, as_json: bool, folder: Path, details: bool = False) -> None:
+    """Print the verdict table, or the document alone; tell the CI service beside it.
+
+    Of several results one table, and the criteria of each with `details`.
+    """
     from certkit.documents.output_document import listed_json  # noqa: PLC0415  # not on the path of `--help`
 
     if not results:
@@ -117,9 +120,10 @@ def show(results: Sequence[Result], *, as_json: bool, folder: Path) -> None:
     from certkit.reporting.result_view import unique_views  # noqa: PLC0415  # likewise
 
     views = unique_views(results)
-    terminal.show(views)
+    terminal.show(views, details=details)
     page = next((page for page in (folder / "index.html", folder / "report.html") if page.exists()), folder)
-    typer.echo(f"look at {page}", err=True)
+    more = "" if details or len(results) == 1 else "; `--details` shows the criteria of each"
+    typer.echo(f"look at {page}{more}", err=True)
     if os.environ.get("GITHUB_ACTIONS") == "true":
         from certkit.reporting.markdown import github_annotations  # noqa: PLC0415  # only there
 

@@ -59,6 +59,7 @@ def grade(
     as_json: options.AsJson = False,
     quiet: options.Quiet = False,
     verbose: options.Verbose = False,
+    details: options.Details = False,
 ) -> None:
     """Grade a measured test or a finite-element run and write its report.
 
@@ -98,5 +99,5 @@ def grade(
             )
             tests.add(graded, lambda _, place=place: place)  # type: ignore[misc]  # this round's place
     shown = folder if several or out or not tests.folders else tests.folders[0]
-    terminal.show(tests.results, as_json=as_json, folder=shown)
+    terminal.show(tests.results, as_json=as_json, folder=shown, details=details or verbose)
     raise typer.Exit(terminal.exit_code(tests.results, permitted, tests.failures))

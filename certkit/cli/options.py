@@ -51,6 +51,9 @@ Sign = Annotated[
 ]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only the verdict table and errors.")]
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Also tell what is done, step by step.")]
+Details = Annotated[
+    bool, typer.Option("--details", help="Of several results, also show the criteria of each.")
+]
 Unverified = Annotated[
     bool,
     typer.Option(

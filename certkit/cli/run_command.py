@@ -57,6 +57,7 @@ def run(
     as_json: options.AsJson = False,
     quiet: options.Quiet = False,
     verbose: options.Verbose = False,
+    details: options.Details = False,
 ) -> None:
     """Simulate a test, grade it and write its certificate.
 
@@ -102,7 +103,7 @@ def run(
             except CertkitError as error:
                 tests.failures.append(error)
     shown = tests.folders[0] if len(names) == 1 and tests.results else out or Path("runs")
-    terminal.show(tests.results, as_json=as_json, folder=shown)
+    terminal.show(tests.results, as_json=as_json, folder=shown, details=details or verbose)
     raise typer.Exit(terminal.exit_code(tests.results, permitted, tests.failures))
 
 

@@ -7,6 +7,8 @@ import os
 import sys
 from typing import TYPE_CHECKING, TextIO, TypeAlias
 
+from certkit.reporting.margins import relative_margin
+from certkit.reporting.number_format import fixed
 from certkit.reporting.plaintext import aligned
 
 if TYPE_CHECKING:
@@ -108,16 +110,31 @@ def below(view: View) -> list[Line]:
     return [*lines, []]
 
 
-def last(views: Sequence[View]) -> list[Line]:
-    """Return a line for each of several procedures."""
-    if len(views) < 2:
-        return []
+SUITE_HEADS = ("verdict", "procedure", "in corridor", "worst", "value", "", "corridor", "margin", "%")
+SUITE_RIGHT = (4, 7, 8)
+
+
+def suite_cells(view: View) -> list[Line]:
+    """Return a result's line in the table of several: verdict, how many passed, the worst criterion.
+
+    The last column is the margin over the half-width of a corridor, or over a limit.
+    """
+    graded = [criterion for criterion in view.result.criteria if criterion.graded]
+    passed = sum(criterion.verdict == "pass" for criterion in graded)
+    worst = view.nearest_criterion if graded else None
+    row = next((row for row in view.rows if worst is not None and row.id == worst.id), None)
+    share = None if worst is None else relative_margin(worst)
+    style = STYLES[view.result.verdict]
     return [
-        [
-            (f"{view.sign} {view.result.verdict:<13}", STYLES[view.result.verdict]),
-            (f"  {view.result.procedure:<14}  {view.nearest}", ""),
-        ]
-        for view in views
+        [(f"{view.sign} {view.result.verdict}", style)],
+        [(view.result.procedure, "bold")],
+        [(f"{passed} of {len(graded)}" if graded else "–", "")],
+        [(row.id if row else "–", "")],
+        [(row.value if row else "", "")],
+        [(worst.unit if worst else "", "")],
+        [(row.limits if row else "", "")],
+        [(row.margin if row else "", style)],
+        [("" if share is None else fixed(100 * share, 0), style)],
     ]
 
 
@@ -125,47 +142,69 @@ def _spreads(view: View) -> bool:
     return any(row.criterion.spread for row in view.rows)
 
 
-def show(views: Sequence[View], stream: TextIO | None = None) -> None:
-    """Print the verdict tables and, for several procedures, one line each at the end."""
+def show(views: Sequence[View], stream: TextIO | None = None, *, details: bool = True) -> None:
+    """Print what came out.
+
+    Parameters
+    ----------
+    views : sequence of View
+        One result is shown with its criteria; several first in one table, a line each.
+    stream : TextIO, optional
+        Standard output otherwise.
+    details : bool
+        Show the criteria of each of several results, too.
+    """
     target = stream or sys.stdout
     if target.isatty() or os.environ.get("FORCE_COLOR"):
-        _show_in_colour(views, target)
+        _show_in_colour(views, target, details=details)
     else:
-        _show_plain(views, target)
+        _show_plain(views, target, details=details)
 
 
-def _show_plain(views: Sequence[View], target: TextIO) -> None:
+def _show_plain(views: Sequence[View], target: TextIO, *, details: bool) -> None:
     """Print for a pipe, at any width and without waiting 50 ms for rich."""
 
     def text(line: Line) -> str:
         return "".join(part for part, _ in line)
 
+    if len(views) > 1:
+        suite = [[text(cell) for cell in suite_cells(view)] for view in views]
+        print(aligned(SUITE_HEADS, suite, right=SUITE_RIGHT), file=target)
+        if not details:
+            return
+        print(file=target)
     for view in views:
         table = [[text(cell) for cell in cells(row, spreads=_spreads(view))] for row in view.rows]
         print(text(above(view)), aligned(heads(view), table, right=RIGHT), sep="\n", file=target)
         print(*map(text, below(view)), sep="\n", file=target)
-    for line in last(views):
-        print(text(line), file=target)
 
 
-def _show_in_colour(views: Sequence[View], target: TextIO) -> None:
+def _show_in_colour(views: Sequence[View], target: TextIO, *, details: bool) -> None:
     """Print for people."""
     from rich.console import Console  # noqa: PLC0415  # a pipe need not wait for it
     from rich.table import Table  # noqa: PLC0415  # likewise
     from rich.text import Text  # noqa: PLC0415  # likewise
 
+    def table(heads: Sequence[str], right: Sequence[int], rows: Sequence[Sequence[Line]]) -> Table:
+        made = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
+        for number, head in enumerate(heads):
+            # The last column holds words, which may be long.
+            made.add_column(
+                head, justify="right" if number in right else "left", no_wrap=number + 1 < len(heads)
+            )
+        for row in rows:
+            made.add_row(*(Text.assemble(*cell) for cell in row))
+        return made
+
     console = Console(file=target, highlight=False, no_color=bool(os.environ.get("NO_COLOR")) or None)
+    if len(views) > 1:
+        console.print(table(SUITE_HEADS, SUITE_RIGHT, [suite_cells(view) for view in views]))
+        if not details:
+            return
+        console.print()
     for view in views:
-        table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="dim")
-        *narrow, verdict = heads(view)
-        for number, head in enumerate(narrow):
-            table.add_column(head, justify="right" if number in RIGHT else "left", no_wrap=True)
-        table.add_column(verdict)
-        for row in view.rows:
-            table.add_row(*(Text.assemble(*cell) for cell in cells(row, spreads=_spreads(view))))
         console.print(Text.assemble(*above(view)))
-        console.print(table)
+        rows = [cells(row, spreads=_spreads(view)) for row in view.rows]
+        console.print(table(heads(view), RIGHT, rows))
         for line in below(view):
             console.print(Text.assemble(*line))
-    for line in last(views):
-        console.print(Text.assemble(*line))

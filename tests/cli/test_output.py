@@ -84,6 +84,8 @@ def test_procedures_are_named_by_position_or_by_option(certkit: Command, tmp_pat
     run = certkit("run", "static-femur", "--procedure", "static-tibia", "--format", "junit", "--out", "both")
     assert run.returncode == 4, run.stderr
     assert {path.name for path in (tmp_path / "both").iterdir()} >= {"static-femur", "static-tibia"}
+    assert len(run.stdout.splitlines()) == 3
+    assert "`--details` shows the criteria of each" in run.stderr
     both = certkit("run", "static-femur", "--all")
     assert both.returncode == 2
     assert "`--all` and named procedures exclude each other" in both.stderr

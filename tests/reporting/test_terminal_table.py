@@ -52,11 +52,37 @@ def test_a_pipe_gets_plain_lines_with_verdict_and_criteria(measured: Result):
         assert criterion.id in text
 
 
-def test_several_procedures_end_with_one_line_each(measured: Result, pendulum: Result):
+def test_several_results_are_first_shown_in_one_table(measured: Result, pendulum: Result):
     stream = io.StringIO()
     show(unique_views([pendulum, measured]), stream)
-    assert stream.getvalue().splitlines()[-1].startswith("✗ fail")
-    assert stream.getvalue().splitlines()[-2].startswith("✓ pass")
+    lines = stream.getvalue().splitlines()
+    assert lines[0].split()[:2] == ["verdict", "procedure"]
+    assert lines[1].startswith("✓ pass")
+    assert lines[2].startswith("✗ fail")
+    nearest = unique_views([pendulum])[0].nearest_criterion
+    assert nearest is not None
+    assert nearest.id in lines[1]
+    assert sum("Tibia" not in line and line.startswith("T4") for line in lines) == 2
+
+
+def test_without_details_the_table_of_several_results_is_all(measured: Result, pendulum: Result):
+    stream = io.StringIO()
+    show(unique_views([pendulum, measured]), stream, details=False)
+    assert len(stream.getvalue().splitlines()) == 3
+
+
+def test_a_single_result_is_shown_with_its_criteria_all_the_same(pendulum: Result):
+    shown = io.StringIO()
+    show(unique_views([pendulum]), shown, details=False)
+    assert all(criterion.id in shown.getvalue() for criterion in pendulum.criteria)
+
+
+def test_a_test_without_corridors_has_no_worst_criterion(pendulum: Result):
+    shown = [criterion.model_copy(update={"graded": False}) for criterion in pendulum.criteria]
+    other = pendulum.model_copy(update={"criteria": shown, "verdict": "not evaluated"})
+    stream = io.StringIO()
+    show(unique_views([other, pendulum]), stream, details=False)
+    assert stream.getvalue().splitlines()[1].split()[-2:] == ["–", "–"]
 
 
 def test_brackets_in_data_are_text(pendulum: Result):
