@@ -29,15 +29,33 @@ class PartColumns(Section):
 
     mass: Mass | None = None
     momentum: str | None = None
-    displacement: Annotated[str | None, Field(description="Of the centre of gravity.")] = None
+    velocity: Annotated[
+        str | None,
+        Field(description="Of the centre of gravity; times the mass it replaces `momentum`."),
+    ] = None
+    displacement: Annotated[
+        str | None, Field(description="Of the centre of gravity; the integral of `velocity` when missing.")
+    ] = None
     front: Annotated[str | None, Field(description="Mean displacement of its front.")] = None
+
+    @model_validator(mode="after")
+    def _one_of_them(self) -> PartColumns:
+        if self.momentum is not None and self.velocity is not None:
+            raise Faults([(("velocity",), "stands beside `momentum`; keep one of them")])
+        return self
 
 
 class ContactColumns(Section):
     """Columns of one contact in a tidy CSV."""
 
-    impulse: str
+    impulse: Annotated[str | None, Field(description="The integral of `force` when missing.")] = None
     force: str | None = None
+
+    @model_validator(mode="after")
+    def _one_of_both(self) -> ContactColumns:
+        if self.impulse is None and self.force is None:
+            raise ValueError("a contact needs `impulse` or `force`")
+        return self
 
 
 class SpringColumns(Section):

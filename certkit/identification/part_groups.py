@@ -167,7 +167,8 @@ def _nearest(box: Box, places: Mapping[str, Place]) -> str:
 def _no_momentum(group: str, part: str, histories: PartHistories) -> str:
     return (
         f"{histories.source}: group `{group}`: part `{part}` has no momentum; if it is a rigid body, "
-        "describe it under `rigid bodies` (its mass and main node)"
+        "describe it under `rigid bodies` (its mass and main node); a part of a table needs `momentum`, or "
+        "`velocity` and a mass"
     )
 
 

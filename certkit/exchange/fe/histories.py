@@ -95,6 +95,8 @@ class PartHistory:
         Mean displacement of the part's front along x in m.
     id : int or None
         Its number in the model; None where the file has none.
+    velocity : ndarray, shape (n,), or None
+        Of the centre of gravity along x in m/s, where a file has that and no momentum.
     start : tuple or None
         (x, y, z) of its centre at the start in m, a coordinate that is not known None; None where none is.
     """
@@ -104,6 +106,7 @@ class PartHistory:
     displacement: Values | None = None
     front: Values | None = None
     id: int | None = None
+    velocity: Values | None = None
     start: Place | None = None
 
 

@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from certkit.errors import DataError
 from certkit.exchange.fe.faces import Face, read_faces
 from certkit.exchange.fe.node_motion import FOUND_BY_NAME, NodeMotion, read_node_motion
@@ -14,7 +16,7 @@ from certkit.exchange.fe.readers import read_format
 
 if TYPE_CHECKING:
     from certkit.definitions.extraction_case import HistoryFiles
-    from certkit.exchange.fe.histories import PartHistories, PartHistory
+    from certkit.exchange.fe.histories import PartHistories, PartHistory, Values
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,13 @@ def read_case_data(section: HistoryFiles, folder: Path) -> FrontData:
         motion, digests[str(found)] = read_node_motion(found)
         if section.node_motion is None:
             notes = (*notes, f"the faces' outlines come from the motion of nodes in {found.name}")
-    parts = {name: _completed(part, faces.get(name)) for name, part in histories.parts.items()}
+    parts = {
+        name: _with_momentum(_completed(part, faces.get(name)), histories.time)
+        for name, part in histories.parts.items()
+    }
+    by_velocity = [name for name, part in parts.items() if part.velocity is not None]
+    if by_velocity:
+        notes = (*notes, f"momenta are masses times velocities: {', '.join(by_velocity)}")
     names = {str(p): n for p, n in zip(paths, section.files, strict=True)}
     files = {
         names.get(path, Path(path).name): digest for path, digest in {**histories.files, **digests}.items()
@@ -94,6 +102,19 @@ def _completed(part: PartHistory, face: Face | None) -> PartHistory:
         part,
         mass=face.mass if part.mass is None else part.mass,
         start=place if part.start is None else part.start,
+    )
+
+
+def _with_momentum(part: PartHistory, time: Values) -> PartHistory:
+    """Take momentum and displacement from a part's velocity where the file has those not."""
+    if part.velocity is None or part.mass is None:
+        return part
+    steps = 0.5 * (part.velocity[1:] + part.velocity[:-1]) * np.diff(time)
+    moved = np.concatenate([[0.0], np.cumsum(steps)])
+    return replace(
+        part,
+        momentum=part.mass * part.velocity,
+        displacement=moved if part.displacement is None else part.displacement,
     )
 
 

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from certkit.definitions.loading.library import load
-from certkit.errors import DataError
+from certkit.errors import DataError, InputError
 from certkit.exchange.fe.readers.openradioss_native import read_native
 from certkit.exchange.fe.reading import read_case_data
 from certkit.identification.five_steps import extract
@@ -347,3 +347,59 @@ def test_a_table_of_groups_with_decimal_commas_gives_the_same_faces(tmp_path: Pa
     (where / "groups_table.csv").write_text(text.replace(",", ";").replace(".", ","), "utf-8")
     section = load("case", where / "case.yaml").document.histories
     assert read_case_data(section, where).faces == read_case_data(section, FRONT).faces
+
+
+def by_velocity_and_force(folder: Path) -> None:
+    """Leave the momenta, the displacements of centres and the impulses out; write velocities in m/s."""
+    rows = rows_of(folder)
+    for name, mass in (("impactor", 6.0), ("fascia", 0.17556), ("foam", 0.096), ("back_beam", 3.91872)):
+        k = rows[0].index(f"P_{name}_Ns")
+        rows[0][k] = f"v_{name}_mps"
+        for row in rows[1:]:
+            row[k] = f"{float(row[k]) / mass:.12g}"
+    put(folder, rows)
+    case = (folder / "case-tidy.yaml").read_text("utf-8")
+    case = re.sub(r"momentum: P_(\w+)_Ns, displacement: \w+", r"velocity: v_\1_mps", case)
+    case = re.sub(r"impulse: \w+, ", "", case)
+    (folder / "case-tidy.yaml").write_text(case, "utf-8")
+
+
+def test_velocities_and_forces_do_as_well_as_momenta_and_impulses(folder: Path) -> None:
+    by_velocity_and_force(folder)
+    found, wanted = extracted(folder), extracted(BUMPER)
+    for path, other in zip(found.paths, wanted.paths, strict=True):
+        assert path.force == pytest.approx(other.force, abs=1e-4 * abs(other.peak_force))
+    closure = next(p for p in found.paths if p.name == "fascia – beam").closures[0]
+    assert closure.percent < 0.5
+    assert any("momenta are masses times velocities: impactor" in note for note in found.notes)
+    assert any("impulses are integrals of forces: impactor-fascia" in note for note in found.notes)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        (
+            "mass: 6.0 kg, velocity",
+            "velocity",
+            "part `impactor` has no momentum; .* or `velocity` and a mass",
+        ),
+        (
+            "velocity: v_impactor_mps",
+            "velocity: v_impactor_mps, momentum: x_Ns",
+            r"yaml:\d+:\d+: stands beside `momentum`",
+        ),
+        ("{force: F_foam_beam_kN}", "{}", r"yaml:\d+:\d+: a contact needs `impulse` or `force`"),
+        (
+            "velocity: v_fascia_mps",
+            "velocity: x_fascia_front_mm",
+            "`x_fascia_front_mm` should be a speed; .* _mps, _mmps",
+        ),
+    ],
+)
+def test_what_lacks_beside_a_velocity_is_told(folder: Path, old: str, new: str, said: str) -> None:
+    by_velocity_and_force(folder)
+    case = folder / "case-tidy.yaml"
+    assert old in case.read_text("utf-8")
+    case.write_text(case.read_text("utf-8").replace(old, new), "utf-8")
+    with pytest.raises(InputError, match=said):
+        extracted(folder)

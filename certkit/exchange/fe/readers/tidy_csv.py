@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.definitions.extraction_case import HistoryFiles, PartColumns
+    from certkit.definitions.extraction_case import ContactColumns, HistoryFiles, PartColumns
     from certkit.definitions.virtual_test import FiniteElements
 
     Values = NDArray[np.float64]
@@ -66,14 +66,13 @@ def read(paths: Sequence[Path], section: HistoryFiles) -> PartHistories:
             momentum=columns.get(spec.momentum, star, "momentum"),
             displacement=columns.get(spec.displacement, star, "length"),
             front=columns.get(spec.front, star, "length"),
+            velocity=columns.get(spec.velocity, star, "speed"),
         )
         for name, spec, star in columns.expanded(section.parts, _key_of_part)
     }
     contacts = {
-        name: ContactHistory(
-            columns.require(spec.impulse, star, "momentum"), columns.get(spec.force, star, "force")
-        )
-        for name, spec, star in columns.expanded(section.contacts, lambda c: c.impulse)
+        name: _contact(spec, star, columns)
+        for name, spec, star in columns.expanded(section.contacts, lambda c: c.impulse or c.force or "")
     }
     springs = {
         name: SpringHistory(
@@ -94,13 +93,27 @@ def read(paths: Sequence[Path], section: HistoryFiles) -> PartHistories:
         nodes=nodes,
         contacts=contacts,
         springs=springs,
+        notes=_notes(section),
         source=columns.source,
         files=columns.files,
     )
 
 
 def _key_of_part(spec: PartColumns) -> str:
-    return spec.momentum or spec.displacement or spec.front or ""
+    return spec.momentum or spec.velocity or spec.displacement or spec.front or ""
+
+
+def _contact(spec: ContactColumns, star: str, columns: _Columns) -> ContactHistory:
+    force = columns.get(spec.force, star, "force")
+    if spec.impulse is not None or force is None:
+        return ContactHistory(columns.require(spec.impulse or spec.force or "", star, "momentum"), force)
+    steps = 0.5 * (force[1:] + force[:-1]) * np.diff(columns.time)
+    return ContactHistory(np.concatenate([[0.0], np.cumsum(steps)]), force)
+
+
+def _notes(section: HistoryFiles) -> tuple[str, ...]:
+    integrated = [name for name, spec in section.contacts.items() if spec.impulse is None]
+    return (f"impulses are integrals of forces: {', '.join(integrated)}",) if integrated else ()
 
 
 class _Columns:
