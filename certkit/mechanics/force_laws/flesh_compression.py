@@ -64,7 +64,7 @@ def friction_share(closing: float, loss: float, reversal: float) -> float:
     return loss * math.tanh(closing / reversal)
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False, repr=False)
 class FleshCompression(ForceLaw):
     """One strip of a face; the strips of a body follow each other from top to bottom.
 

@@ -58,7 +58,7 @@ def _show(strips: Rows[FoldingFaceContact], i: int) -> None:
     strip.height = seen
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False, repr=False)
 class FoldingFaceContact(ForceLaw):
     """One strip of a face.
 

@@ -58,7 +58,7 @@ def flesh_depth(approach: float, cosine: float, strength: float, scale: float, s
     return 0.5 * (low + high)
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False, repr=False)
 class Honeycomb(ForceLaw):
     """One strip of the honeycomb's face; the strips of a body follow each other from top to bottom.
 

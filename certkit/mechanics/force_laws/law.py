@@ -17,7 +17,7 @@ from typing import Any, ClassVar, NamedTuple
 from certkit.mechanics.records import Record, Rows
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class Pose(Record):
     """Where a body is, at the instant the forces act: centre of gravity (m), angle (rad), cosine and sine."""
 
@@ -28,7 +28,7 @@ class Pose(Record):
     sin: float
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class Velocity(Record):
     """A body's velocity: m/s, m/s and rad/s."""
 
@@ -37,7 +37,7 @@ class Velocity(Record):
     angular: float
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class Load(Record):
     """Force on a body through its centre of gravity (N) and torque about it (N·m)."""
 
@@ -46,7 +46,7 @@ class Load(Record):
     torque: float
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class OutlinePiece(Record):
     """The leg's surface on one body: what obstacles meet.
 
@@ -68,7 +68,7 @@ class OutlinePiece(Record):
     width: float
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class CurvePoint(Record):
     """A point of a piecewise-linear curve: force over shortening, or over time."""
 
@@ -76,7 +76,7 @@ class CurvePoint(Record):
     force: float
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class Totals(Record):
     """What a law sums up over its rows in a step.
 

@@ -36,7 +36,7 @@ def _force_at(curves: Rows[CurvePoint], start: int, points: int, time: float) ->
     return curves[k].force + share * (curves[k + 1].force - curves[k].force)
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False, repr=False)
 class LoadingRamForce(ForceLaw):
     """One ram.
 

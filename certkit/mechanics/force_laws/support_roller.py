@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.records import Rows, State
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False, repr=False)
 class SupportRoller(ForceLaw):
     """One roller.
 

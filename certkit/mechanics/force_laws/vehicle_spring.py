@@ -75,7 +75,7 @@ def _side(
     return force, stored
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, eq=False, repr=False)
 class VehicleSpring(ForceLaw):
     """One connection of the vehicle.
 

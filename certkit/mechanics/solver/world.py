@@ -24,7 +24,7 @@ GROUND = -1
 """Stands for the ground wherever a body is named."""
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class Pivot(Record):
     """A point that two bodies share, in each body's frame from its centre of gravity, m."""
 
@@ -36,7 +36,7 @@ class Pivot(Record):
     second_z: float
 
 
-@dataclass
+@dataclass(eq=False, repr=False)
 class LawTable(Record):
     """Where a law's table stands in a world's `tables`: number of rows, and place of the first."""
 
