@@ -40,8 +40,8 @@ Rows: TypeAlias = Sequence[T]
 class Record:
     """Base of record classes: dataclasses whose fields are `float`, `int`, `Body` or `State`.
 
-    Nobody compares or prints them: without methods for that (`eq=False, repr=False`) a class is made in a third
-    of the time, and every run makes thirty.
+    Nobody compares or prints them: without methods for that (`eq=False, repr=False`) a class is made in a
+    third of the time, and every run makes thirty.
     """
 
 
