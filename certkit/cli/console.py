@@ -15,6 +15,7 @@ from certkit.errors import UsageError
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
+    from certkit.documents.output_document import OutputDocument
     from certkit.documents.result import Result, Verdict
     from certkit.errors import CertkitError
 
@@ -101,6 +102,38 @@ def tell_files(written: Sequence[Path]) -> None:
     """Name the files that were written."""
     for path in written:
         typer.echo(f"wrote {path}", err=True)
+
+
+def render_and_tell(
+    document: OutputDocument,
+    words: str,
+    out: Path | None,
+    usual: str,
+    formats: Sequence[str],
+    *,
+    force: bool,
+    as_json: bool,
+) -> None:
+    """Write a document with its reports, print it, and say where to look.
+
+    Parameters
+    ----------
+    document : OutputDocument
+    words : str
+        The document for a terminal.
+    out : Path, optional
+        `runs` and the usual name, or the next free one, otherwise.
+    usual : str
+    formats : sequence of str
+    force, as_json : bool
+        As the command has them.
+    """
+    from certkit.bench.render_documents import render  # noqa: PLC0415  # numpy waits until there is a document
+
+    folder = out or Path("runs") / usual
+    written = render(document, folder, formats, force=force, numbered=out is None, tell=tell)
+    typer.echo(document.to_json() if as_json else words, nl=not as_json)
+    typer.echo(f"look at {written[-1]}", err=True)
 
 
 def show(results: Sequence[Result], *, as_json: bool, folder: Path, details: bool = False) -> None:

@@ -40,21 +40,15 @@ def roundrobin(
     By ISO 5725-2 and ISO 13528, of each criterion that two laboratories have values of. Every certificate is
     graded again first. Exit code 1 when a laboratory is an outlier.
     """
-    from certkit.bench.render_documents import render, reports_of  # noqa: PLC0415  # numpy waits
+    from certkit.bench.render_documents import reports_of  # noqa: PLC0415  # numpy waits
     from certkit.bench.round_robin import round_robin  # noqa: PLC0415  # likewise
+    from certkit.cli.console import render_and_tell  # noqa: PLC0415  # likewise
     from certkit.documents.round_robin_report import RoundRobinReport  # noqa: PLC0415  # likewise
     from certkit.reporting.round_robin_page import round_robin_text  # noqa: PLC0415  # likewise
 
     wanted = reports_of(RoundRobinReport, formats)
     document = round_robin(certificates, without=without or (), title=title, unverified=unverified)
-    written = render(
-        document,
-        out or Path("runs") / "round-robin",
-        wanted,
-        force=force,
-        numbered=out is None,
-        tell=lambda what: typer.echo(what, err=True),
+    render_and_tell(
+        document, round_robin_text(document), out, "round-robin", wanted, force=force, as_json=as_json
     )
-    typer.echo(document.to_json() if as_json else round_robin_text(document), nl=not as_json)
-    typer.echo(f"look at {written[-1]}", err=True)
     raise typer.Exit(1 if document.outliers else 0)

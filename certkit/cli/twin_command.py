@@ -42,20 +42,12 @@ def twin(
     Whole curves count, with the noise, gains and time zero that recordings have. Each part comes with its
     change, a 95 % interval and a remedy; parts that cannot be told apart are all named.
     """
-    from certkit.bench.render_documents import render, reports_of  # noqa: PLC0415  # numpy waits
+    from certkit.bench.render_documents import reports_of  # noqa: PLC0415  # numpy waits
+    from certkit.cli.console import render_and_tell  # noqa: PLC0415  # likewise
     from certkit.documents.twin_report import TwinReport  # noqa: PLC0415  # likewise
     from certkit.reporting.twin_page import twin_text  # noqa: PLC0415  # likewise
     from certkit.studies.leg_twin import twin as tell_parts  # noqa: PLC0415  # likewise
 
     wanted = reports_of(TwinReport, formats)
     document = tell_parts(recordings, diagnosis=diagnosis, against=against, library=library or ())
-    written = render(
-        document,
-        out or Path("runs") / "twin",
-        wanted,
-        force=force,
-        numbered=out is None,
-        tell=lambda what: typer.echo(what, err=True),
-    )
-    typer.echo(document.to_json() if as_json else twin_text(document), nl=not as_json)
-    typer.echo(f"look at {written[-1]}", err=True)
+    render_and_tell(document, twin_text(document), out, "twin", wanted, force=force, as_json=as_json)
