@@ -39,6 +39,7 @@ from certkit.cli import (
     validate_command,
     verify_command,
 )
+from certkit.cli.completion import BASH, words_of_bash
 from certkit.cli.output_streams import end_streams, guard_streams
 from certkit.cli.value_words import WordedCommand, WordedGroup
 from certkit.errors import CertkitError, LeftOutWarning, OldFormWarning, UsageError
@@ -176,6 +177,9 @@ def main() -> None:
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
     warnings.showwarning = _tell_remark
     guard_streams()
+    if BASH.items() <= os.environ.items() and (offered := words_of_bash()) is not None:
+        sys.stdout.write("\n".join(offered))
+        return
     try:
         _app_for(sys.argv[1:])()
     except CertkitError as error:

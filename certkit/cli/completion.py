@@ -2,10 +2,36 @@
 
 from __future__ import annotations
 
+import os
+
 from typer import Context  # noqa: TC002  # typer reads the annotations
 
 SPECIMENS = ("legform", "vehicle")
 """What `--set` exchanges as a whole, by a name."""
+
+BASH = {"_CERTKIT_COMPLETE": "complete_bash"}
+"""How bash asks."""
+
+
+def words_of_bash() -> list[str] | None:
+    """Join what bash took apart: to it, each `=` is a word of its own, so that `a=b` comes as three.
+
+    Returns
+    -------
+    list of str or None
+        What fits behind the `=` that the cursor stands behind, without what is before it, as bash puts it
+        there; None where it stands elsewhere.
+    """
+    words = os.environ.get("COMP_WORDS", "").split("\n")
+    place = int(os.environ.get("COMP_CWORD", "0"))
+    joined: list[str] = []
+    for word in words[: place + 1]:
+        if len(joined) > 1 and (word == "=" or joined[-1].endswith("=")):
+            joined[-1] += word
+        else:
+            joined.append(word)
+    os.environ["COMP_WORDS"], os.environ["COMP_CWORD"] = "\n".join(joined), str(len(joined) - 1)
+    return specimens(joined[-1], before="") if "=" in words[max(0, place - 1) : place + 1] else None
 
 
 def kinds(incomplete: str) -> list[str]:
@@ -38,20 +64,28 @@ def definitions(incomplete: str) -> list[str]:
     return sorted(name for name in found if name.startswith(incomplete))
 
 
+def specimens(incomplete: str, before: str | None = None) -> list[str]:
+    """Offer names for `legform=…` and `vehicle=…`, with what is `before` them; the path when not given."""
+    from certkit.definitions.loading.library import names  # noqa: PLC0415  # as above
+
+    path, _, begun = incomplete.partition("=")
+    before = f"{path}=" if before is None else before
+    return [before + name for name in names(path) if name.startswith(begun)] if path in SPECIMENS else []
+
+
 def settings(ctx: Context, incomplete: str) -> list[str]:
     """Offer what `--set` can change in the procedure on the line; behind a `=`, the names that fit."""
-    from certkit.definitions.loading.library import names  # noqa: PLC0415  # as above
     from certkit.errors import CertkitError  # noqa: PLC0415  # as above
 
-    path, sign, begun = incomplete.partition("=")
-    if sign:
-        known = names(path) if path in SPECIMENS else []
-        return [f"{path}={name}" for name in known if name.startswith(begun)]
+    if "=" in incomplete:
+        return specimens(incomplete)
     try:
         found = [*(f"{kind}=" for kind in SPECIMENS), *_paths(_procedure(ctx))]
     except CertkitError:
         found = []  # the command will say what is wrong with the procedure
-    return [path for path in found if path.startswith(incomplete)]
+    # Without spaces, so that no shell needs quotes; `--set` takes either.
+    begun = incomplete.replace(" ", "_")
+    return [path for path in (each.replace(" ", "_") for each in found) if path.startswith(begun)]
 
 
 def _procedure(ctx: Context) -> str:
