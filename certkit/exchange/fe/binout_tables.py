@@ -33,11 +33,13 @@ class BinoutTables:
         self._joined: dict[str, JoinedTable] = {}
 
     def tables(self) -> list[str]:
-        """Return the names of all tables; those of `elout` stand one level down."""
+        """Return the names of all tables; those of `elout` and `rwforc` stand one level down."""
         found: dict[str, None] = {}
         for _, reader in self._files.readers:
             for name in sorted(reader.read()):
-                inner = sorted(reader.read(name)) if name == "elout" else []
+                entries = reader.read(name)
+                inner = [] if "time" in entries else sorted(entries)
+                inner = [each for each in inner if "time" in reader.read(name, each)]
                 found |= dict.fromkeys([f"{name}/{each}" for each in inner] or [name])
         return list(found)
 

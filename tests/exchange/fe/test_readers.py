@@ -143,3 +143,22 @@ def test_genuine_binouts_without_part_sums_are_refused_by_name() -> None:
     for path in sorted(p for p in folder.rglob("binout*") if p.is_file()):
         with pytest.raises(DataError, match="no matsum"):
             read_binout(path, parse_units("kg mm ms"), {})
+
+
+@pytest.mark.skipif(
+    not HAS_LASSO or "CERTKIT_LS_DYNA_FILES" not in os.environ,
+    reason="needs lasso-python and genuine LS-DYNA files in $CERTKIT_LS_DYNA_FILES",
+)
+def test_every_table_of_genuine_binouts_can_be_read() -> None:
+    from certkit.exchange.fe.binout_files import BinoutFiles  # noqa: PLC0415  # optional
+    from certkit.exchange.fe.binout_tables import BinoutTables  # noqa: PLC0415  # likewise
+
+    folder = Path(os.environ["CERTKIT_LS_DYNA_FILES"])
+    for path in sorted(p for p in folder.rglob("binout*") if p.is_file()):
+        files = BinoutFiles([path])
+        tables = BinoutTables(files, path.name)
+        assert tables.tables()
+        for table in tables.tables():
+            assert tables.times(table, 1e-3).size > 10
+            assert len(tables.legend(table)) == len(tables.ids(table))
+        files.close()

@@ -60,6 +60,17 @@ def test_tables_and_objects_that_processors_wrote_apart_are_put_together(tmp_pat
     assert not any("among the files" in note for note in found.notes)
 
 
+def test_tables_one_level_down_are_found_and_joined(tmp_path: Path) -> None:
+    inner = [{"matsum": matsum(TIME, (1,)), "rwforc/forces": rcforc(TIME, (number,))} for number in (4, 5)]
+    inner[1].pop("matsum")
+    run = BinoutRun(numbered(tmp_path, *inner), UNITS)
+    wall = History(table="rwforc/forces", of="contact 5", variable="x_force")
+    assert np.array_equal(run.history(wall, "force").values, np.full(TIME.size, 5000.0))
+    with pytest.raises(DataError, match=r"no table `rwforc`; there are matsum, rwforc/forces"):
+        run.history(History(table="rwforc", of="contact 5", variable="x_force"), "force")
+    run.close()
+
+
 def test_a_file_that_goes_on_in_others_is_one(tmp_path: Path) -> None:
     tables = {"matsum": matsum(TIME, (1, 2, 3)), "rcforc": rcforc(TIME, (7, 8)), "glstat": glstat(TIME)}
     path = write(tmp_path / "binout0000", split=20.0, **tables)
