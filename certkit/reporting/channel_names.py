@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from certkit.reporting.language import Translate, english
+
 MOMENTS = {"F": "femur moment", "T": "tibia moment"}
 
 
-def channel_words(name: str) -> str:
+def channel_words(name: str, t: Translate = english) -> str:
     """Return a channel's words, so that the gauge F1 is not taken for a face of that name."""
     kind = MOMENTS.get(name[0])
-    return f"{kind} {name[1:]}" if kind and name[1:].isdigit() else f"{name} elongation"
+    return f"{t(kind)} {name[1:]}" if kind and name[1:].isdigit() else f"{name} {t('elongation')}"
 
 
 def is_channel(name: str) -> bool:

@@ -10,6 +10,7 @@ from certkit.reporting.charts.group_response import contact_path
 from certkit.reporting.charts.motion_frames import FILL
 from certkit.reporting.charts.run_and_model import moment_peak, view_box
 from certkit.reporting.coupled_check import check_of, check_times, group_of
+from certkit.reporting.language import Translate, english
 from certkit.reporting.number_format import decimals as decimals_of
 from certkit.reporting.page_data import differences
 from certkit.reporting.scales import span, ticks
@@ -29,7 +30,9 @@ BARS, INSET = 0.12, 0.008
 """m on the left of what moves, in which bars show the leg's force on each group, and their distance to it."""
 
 
-def extraction_payload(result: ExtractionResult, worst: str | None) -> dict[str, Any] | None:
+def extraction_payload(
+    result: ExtractionResult, worst: str | None, t: Translate = english
+) -> dict[str, Any] | None:
     """Return what the page's scripts need; None where nothing was recorded in motion.
 
     Parameters
@@ -37,6 +40,8 @@ def extraction_payload(result: ExtractionResult, worst: str | None) -> dict[str,
     result : ExtractionResult
     worst : str or None
         The group that is marked.
+    t : callable
+        Gives the words of a language.
     """
     if result.motion is None:
         return None
@@ -51,7 +56,7 @@ def extraction_payload(result: ExtractionResult, worst: str | None) -> dict[str,
         "procedure": result.case,
         "interval": None,
         "axis": axis,
-        "channels": [_channel(check) for check in timed],
+        "channels": [_channel(check, t) for check in timed],
         "motion": _motion(result, result.motion, worst),
     }
 
@@ -64,14 +69,14 @@ def _down_the_leg(check: ChannelCheck) -> tuple[int, str]:
     return (0, f"{9999 - int(number):04d}") if part == "F" else (1, number.zfill(4))
 
 
-def _channel(check: ChannelCheck) -> dict[str, Any]:
+def _channel(check: ChannelCheck, t: Translate) -> dict[str, Any]:
     scale, unit = channel_scale(check.name)
     values, run = ([scale * v for v in series] for series in (check.values, check.run_values))
     places = decimals_of(unit, max(map(abs, (*values, *run)), default=1.0))
     low, high = span([0.0, *values, *run])
     return {
-        "name": channel_words(check.name),
-        "title": f"{channel_words(check.name)}, CFC 180",
+        "name": channel_words(check.name, t),
+        "title": f"{channel_words(check.name, t)}, CFC 180",
         "unit": unit,
         "decimals": places,
         "steps": _steps(run, places),

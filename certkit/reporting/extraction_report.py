@@ -15,7 +15,7 @@ from certkit.reporting.coupled_check import worst_group
 from certkit.reporting.extraction_data import extraction_payload
 from certkit.reporting.extraction_view import extraction_view
 from certkit.reporting.html_report import SCRIPTS
-from certkit.reporting.language import ENGLISH
+from certkit.reporting.language import ENGLISH, language
 from certkit.reporting.page_data import embedded
 from certkit.reporting.pdf_engine import typeset
 from certkit.reporting.pdf_report import creation_date
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 def extraction_page(result: ExtractionResult, spoken: str = ENGLISH) -> str:
     """Return the page."""
-    data = extraction_payload(result, worst_group(result))
+    data = extraction_payload(result, worst_group(result), language(spoken).word)
     return static_page(
         "extraction.html.j2",
         result.title,
@@ -36,7 +36,7 @@ def extraction_page(result: ExtractionResult, spoken: str = ENGLISH) -> str:
         scripts=SCRIPTS if data else (),
         data=embedded(data) if data else None,
         doc=result,
-        view=extraction_view(result),
+        view=extraction_view(result, spoken),
     )
 
 
@@ -51,7 +51,7 @@ def extraction_pdf(result: ExtractionResult, spoken: str = ENGLISH) -> bytes:
         created=created.strftime("%Y-%m-%dT%H:%M:%SZ"),
         style=text("styles/certificate.css"),
         doc=result,
-        view=extraction_view(result),
+        view=extraction_view(result, spoken),
     )
     enclosed = Enclosure("extraction.json", "extraction result", result.to_json().encode(), "Data")
     return typeset(html, [enclosed], created)

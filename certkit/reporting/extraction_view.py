@@ -15,10 +15,12 @@ from certkit.reporting.charts.paired_bars import bars_of
 from certkit.reporting.charts.run_and_model import leg_colours, run_and_model
 from certkit.reporting.charts.spring_curves import farther, path_check, reach, spring_chart
 from certkit.reporting.coupled_check import check_of, group_of, worst_group
+from certkit.reporting.language import ENGLISH, language
 
 if TYPE_CHECKING:
     from certkit.documents.extraction import ExtractionResult, PathResult
     from certkit.documents.self_check import ChannelCheck, GroupCheck, PathCheck, SelfCheck
+    from certkit.reporting.language import Translate
     from certkit.reporting.svg import Drawing
 
 
@@ -85,56 +87,58 @@ class ExtractionView:
     material: Drawing | None
 
 
-def extraction_view(result: ExtractionResult) -> ExtractionView:
-    """Draw everything of an extraction."""
+def extraction_view(result: ExtractionResult, spoken: str = ENGLISH) -> ExtractionView:
+    """Draw everything of an extraction, in a language."""
+    t = language(spoken).word
     coupled, alone = check_of(result, "coupled"), check_of(result, "front alone")
     leg = check_of(result, "leg alone")
     told = coupled or leg
     fronts = coupled or alone
-    groups = [_group(result, group.name) for group in fronts.groups] if fronts else []
+    groups = [_group(result, group.name, t) for group in fronts.groups] if fronts else []
     worst = worst_group(result)
     springs = [
         SpringView(
             path,
             path_check(result, path.name),
             reach(result, path) if farther(result, path) else None,
-            spring_chart(result, path),
+            spring_chart(result, path, t),
         )
         for path in result.paths
         if path.law or path.sheet
     ]
     return ExtractionView(
-        stills=run_and_model(result.motion) if result.motion else None,
-        colours=leg_colours(result.motion) if result.motion else None,
+        stills=run_and_model(result.motion, t) if result.motion else None,
+        colours=leg_colours(result.motion, t) if result.motion else None,
         leg_seen=bool(result.motion and any(line.kind == "leg" and line.run for line in result.motion.lines)),
         worst=next((group for group in groups if group.name == worst), None),
         groups=[group for group in groups if group.name != worst],
-        channels=[_channel(c, channel_chart(told, c, leg if coupled else None)) for c in told.channels]
+        channels=[_channel(c, channel_chart(told, c, leg if coupled else None, t), t) for c in told.channels]
         if told
         else [],
-        checks=[(check, [_channel(c, None) for c in check.channels]) for check in result.checks],
-        profile=face_profiles(result, fronts) if fronts and fronts.groups else None,
-        sketches=sketches(result),
-        bars=bars_of(result),
+        checks=[(check, [_channel(c, None, t) for c in check.channels]) for check in result.checks],
+        profile=face_profiles(result, fronts, t) if fronts and fronts.groups else None,
+        sketches=sketches(result, t),
+        bars=bars_of(result, t),
         springs=[spring for spring in springs if spring.drawing],
         paths=[
-            PathView(path, path_charts(result, path)[:2] if any(path.force) else []) for path in result.paths
+            PathView(path, path_charts(result, path, t)[:2] if any(path.force) else [])
+            for path in result.paths
         ],
-        momentum=momentum_chart(result),
-        material=material_chart(result.material) if result.material else None,
+        momentum=momentum_chart(result, t),
+        material=material_chart(result.material, t) if result.material else None,
     )
 
 
-def _group(result: ExtractionResult, name: str) -> GroupView:
+def _group(result: ExtractionResult, name: str, t: Translate) -> GroupView:
     kind = next((group.kind for group in result.groups if group.name == name), "")
     return GroupView(
         name=name,
         kind=kind,
         coupled=group_of(check_of(result, "coupled"), name),
         alone=group_of(check_of(result, "front alone"), name),
-        drawings=[drawn for drawn in (movement(result, name), contact(result, name)) if drawn],
+        drawings=[drawn for drawn in (movement(result, name, t), contact(result, name, t)) if drawn],
     )
 
 
-def _channel(check: ChannelCheck, drawing: Drawing | None) -> ChannelView:
-    return ChannelView(check, channel_words(check.name), *channel_scale(check.name), drawing)
+def _channel(check: ChannelCheck, drawing: Drawing | None, t: Translate) -> ChannelView:
+    return ChannelView(check, channel_words(check.name, t), *channel_scale(check.name), drawing)

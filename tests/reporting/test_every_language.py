@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 import yaml
-from support import synthetic_campaign, synthetic_result
+from support import synthetic_campaign, synthetic_extraction, synthetic_result
 from support.worn_leg import worn
 
 from certkit.documents.comparison import (
@@ -206,7 +206,14 @@ COMPARED = ComparisonDocument(
     "word",
     [
         *("result", "comparison", "campaign-report", "study-report", "optimum-report", "calibration-report"),
-        *("uncertainty-report", "twin", "round-robin", "logbook-overview", "legform-certificate"),
+        *(
+            "uncertainty-report",
+            "twin",
+            "round-robin",
+            "logbook-overview",
+            "legform-certificate",
+            "extraction",
+        ),
     ],
 )
 def test_no_english_word_remains(word: str, brackets: str, tmp_path: Path):
@@ -214,9 +221,11 @@ def test_no_english_word_remains(word: str, brackets: str, tmp_path: Path):
         leg, results = leg_with_tests(tmp_path)
         document = leg if word == "logbook-overview" else certificate_of(leg, results, Issue()).with_id()
     else:
-        document = {"comparison": COMPARED.with_id(), "result": synthetic_result.laboratory_result()}.get(
-            word, DOCUMENTED[word]
-        )
+        document = {
+            "comparison": COMPARED.with_id(),
+            "result": synthetic_result.laboratory_result(),
+            "extraction": synthetic_extraction.extraction(),
+        }.get(word, DOCUMENTED[word])
     document = worded(document).as_written()
     (page,) = render_document(document, tmp_path / "page", ["html"], spoken=brackets)
     text = page.read_text("utf-8")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.reporting.charts.chosen import chosen
 from certkit.reporting.charts.grid import side_by_side, together
 from certkit.reporting.charts.lines import Line, lines_chart
+from certkit.reporting.language import Translate, english
 from certkit.reporting.palette import GROUP_PENS
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ def _milliseconds(result: ExtractionResult) -> list[float]:
     return [t * 1e3 for t in result.times]
 
 
-def momentum_chart(result: ExtractionResult) -> Drawing | None:
+def momentum_chart(result: ExtractionResult, t: Translate = english) -> Drawing | None:
     """Draw the momenta over time in panels by kind; each group has a pen of its own in all of them."""
     times = _milliseconds(result)
     pens = {group.name: GROUP_PENS[k % len(GROUP_PENS)] for k, group in enumerate(result.groups)}
@@ -70,12 +71,14 @@ def momentum_chart(result: ExtractionResult) -> Drawing | None:
             part = groups[start : start + MOST_LINES]
             lines: list[Line] = [(g.name, times, g.momentum) for g in part]
             own = [pens[g.name] for g in part]
-            title = f"Momentum, {kind}"
+            title = f"{t('Momentum')}, {t(kind)}"
             panels.append(lines_chart(lines, title, "ms", "N·s", width=WIDTH, height=HEIGHT, pens=own))
-    return side_by_side(panels, "Momentum of the groups") if panels else None
+    return side_by_side(panels, t("Momentum of the groups")) if panels else None
 
 
-def path_charts(result: ExtractionResult, path: PathResult, *, head: str = "") -> list[Drawing]:
+def path_charts(
+    result: ExtractionResult, path: PathResult, t: Translate = english, *, head: str = ""
+) -> list[Drawing]:
     """Draw a load path: impulse and force over time and, where its ends came nearer, force over shortening.
 
     Parameters
@@ -88,9 +91,9 @@ def path_charts(result: ExtractionResult, path: PathResult, *, head: str = "") -
         Title of each; what is drawn when empty.
     """
     times = _milliseconds(result)
-    forces: list[Line] = [("from momentum", times, path.force)]
+    forces: list[Line] = [(t("from momentum"), times, path.force)]
     if path.recorded_force is not None:
-        forces.append(("recorded contact", times, path.recorded_force))
+        forces.append((t("recorded contact"), times, path.recorded_force))
     shortening, pushed = _pushing([v * 1e3 for v in path.shortening], path.force)
     laws: list[Line] = [("history", shortening, pushed)]
     if path.law:
@@ -98,9 +101,14 @@ def path_charts(result: ExtractionResult, path: PathResult, *, head: str = "") -
         laws.append(("law", *_up_to(1.1 * max(shortening, default=0.0), *law)))
     drawn = [
         lines_chart(
-            [("impulse", times, path.impulse)], head or "Impulse", "ms", "N·s", width=WIDTH, height=HEIGHT
+            [(t("impulse"), times, path.impulse)],
+            head or t("Impulse"),
+            "ms",
+            "N·s",
+            width=WIDTH,
+            height=HEIGHT,
         ),
-        lines_chart(forces, head or "Force", "ms", "N", width=WIDTH, height=HEIGHT),
+        lines_chart(forces, head or t("Force"), "ms", "N", width=WIDTH, height=HEIGHT),
     ]
     if path.sheet is not None:
         lines: list[Line] = [("path", [1e3 * at for at in path.sheet.progress], path.sheet.force)]
@@ -114,17 +122,17 @@ def path_charts(result: ExtractionResult, path: PathResult, *, head: str = "") -
     return drawn
 
 
-def material_chart(material: MaterialResult) -> Drawing:
+def material_chart(material: MaterialResult, t: Translate = english) -> Drawing:
     """Draw the stress found over strain, beside the material's own curve where there is one."""
-    lines: list[Line] = [("extracted", material.strain, [v / 1e6 for v in material.stress])]
+    lines: list[Line] = [(t("extracted"), material.strain, [v / 1e6 for v in material.stress])]
     if material.unloading_strain:
         unloading = _pushing(material.unloading_strain, material.unloading_stress)
-        lines.append(("extracted, unloading", unloading[0], [v / 1e6 for v in unloading[1]]))
+        lines.append((t("extracted, unloading"), unloading[0], [v / 1e6 for v in unloading[1]]))
     if material.reference_strain:
         farthest = 1.1 * max(material.strain, default=0.0)
         own = _up_to(farthest, material.reference_strain, material.reference_stress)
-        lines.append(("material's own curve", own[0], [v / 1e6 for v in own[1]]))
-    return lines_chart(lines, "Stress over strain", "engineering strain", "MPa")
+        lines.append((t("material's own curve"), own[0], [v / 1e6 for v in own[1]]))
+    return lines_chart(lines, t("Stress over strain"), t("engineering strain"), "MPa")
 
 
 def _pushing(xs: Sequence[float], ys: Sequence[float]) -> tuple[list[float], list[float]]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.documents.face_outline import outline_at
 from certkit.reporting.charts.grid import side_by_side
 from certkit.reporting.charts.lines import Line, lines_chart
+from certkit.reporting.language import Translate, english
 
 if TYPE_CHECKING:
     from certkit.documents.extraction import ExtractionResult
@@ -18,7 +19,7 @@ INSTANTS = (0.010, 0.020, 0.030, 0.040)
 """s: when faces are drawn."""
 
 
-def face_profiles(result: ExtractionResult, check: SelfCheck) -> Drawing | None:
+def face_profiles(result: ExtractionResult, check: SelfCheck, t: Translate = english) -> Drawing | None:
     """Draw the faces that can touch the leg; None where nothing is known of their form."""
     moved = {found.name: found.displacement for found in check.groups}
     faced = [g for g in result.groups if g.outlines and g.name in moved and g.kind == "fascia"]
@@ -40,7 +41,7 @@ def face_profiles(result: ExtractionResult, check: SelfCheck) -> Drawing | None:
                 for x, z in outline_at(group, history[: 1 + round((instant - start) / interval)]):
                     xs.append(1e3 * z)
                     zs.append(1e3 * x)
-            lines.append((name, xs, zs))
-        title = f"Faces at {1e3 * instant:.0f} ms"
-        panels.append(lines_chart(lines, title, "height, mm", "mm", width=WIDTH, height=HEIGHT))
-    return side_by_side(panels, "Faces of run and model")
+            lines.append((t(name), xs, zs))
+        title = t("Faces at {time} ms", time=f"{1e3 * instant:.0f}")
+        panels.append(lines_chart(lines, title, t("height, mm"), "mm", width=WIDTH, height=HEIGHT))
+    return side_by_side(panels, t("Faces of run and model"))

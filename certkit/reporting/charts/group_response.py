@@ -8,6 +8,7 @@ from certkit.reporting.charts.chosen import chosen
 from certkit.reporting.charts.grid import together
 from certkit.reporting.charts.lines import Line, lines_chart
 from certkit.reporting.coupled_check import check_of, check_times, group_of
+from certkit.reporting.language import Translate, english
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -30,27 +31,29 @@ def draw(result: ExtractionResult, names: Sequence[str]) -> Drawing | None:
     return together(panels, f"Groups of the front in run and model, {result.title}")
 
 
-def movement(result: ExtractionResult, name: str) -> Drawing | None:
+def movement(result: ExtractionResult, name: str, t: Translate = english) -> Drawing | None:
     """Draw how a group moves in the run, the coupled model and the front alone; None for one at rest."""
     group = next((g for g in result.groups if g.name == name), None)
     if group is None:
         return None
-    checks = (("model", check_of(result, "coupled")), ("front alone", check_of(result, "front alone")))
+    checks = ((t("model"), check_of(result, "coupled")), (t("front alone"), check_of(result, "front alone")))
     found = [(words, check, group_of(check, name)) for words, check in checks]
     until = max((check.until for _, check, _ in found if check), default=0.0)
     if max((g.run_peak for _, _, g in found if g), default=0.0) < STILL:
         return None
     kept = [k for k, t in enumerate(result.times) if t <= until + 1e-9]
     times = result.times
-    lines: list[Line] = [("run", [1e3 * times[k] for k in kept], [1e3 * group.displacement[k] for k in kept])]
+    lines: list[Line] = [
+        (t("run"), [1e3 * times[k] for k in kept], [1e3 * group.displacement[k] for k in kept])
+    ]
     for words, check, own in found:
         if check and own and own.displacement:
             axis = check_times(check, len(own.displacement))
             lines.append((words, axis, [1e3 * x for x in own.displacement]))
-    return lines_chart(lines, f"{name} moves", "ms", "mm", width=WIDTH, height=HEIGHT)
+    return lines_chart(lines, t("{name} moves", name=name), "ms", "mm", width=WIDTH, height=HEIGHT)
 
 
-def contact(result: ExtractionResult, name: str) -> Drawing | None:
+def contact(result: ExtractionResult, name: str, t: Translate = english) -> Drawing | None:
     """Draw the leg's force on a group in run and coupled model; None for one that is not touched."""
     check = check_of(result, "coupled")
     own = group_of(check, name)
@@ -62,11 +65,16 @@ def contact(result: ExtractionResult, name: str) -> Drawing | None:
     if not any(run) and not any(own.force):
         return None
     lines: list[Line] = [
-        ("run", [1e3 * result.times[k] for k in kept], run),
-        ("model", check_times(check, len(own.force)), own.force),
+        (t("run"), [1e3 * result.times[k] for k in kept], run),
+        (t("model"), check_times(check, len(own.force)), own.force),
     ]
     return lines_chart(
-        lines, f"{path.source[0].upper()}{path.source[1:]} on {name}", "ms", "N", width=WIDTH, height=HEIGHT
+        lines,
+        t("{impactor} on {name}", impactor=path.source[0].upper() + path.source[1:], name=name),
+        "ms",
+        "N",
+        width=WIDTH,
+        height=HEIGHT,
     )
 
 

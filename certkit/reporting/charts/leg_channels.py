@@ -9,6 +9,7 @@ from certkit.reporting.charts.chosen import chosen
 from certkit.reporting.charts.grid import together
 from certkit.reporting.charts.lines import Line, lines_chart
 from certkit.reporting.coupled_check import check_of
+from certkit.reporting.language import Translate, english
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -32,7 +33,9 @@ def draw(result: ExtractionResult, names: Sequence[str]) -> Drawing | None:
     return together(panels, f"Channels of the leg in run and model, {result.title}")
 
 
-def channel_chart(check: SelfCheck, channel: ChannelCheck, alone: SelfCheck | None = None) -> Drawing:
+def channel_chart(
+    check: SelfCheck, channel: ChannelCheck, alone: SelfCheck | None = None, t: Translate = english
+) -> Drawing:
     """Draw a channel of run and model with their peaks marked, and what the leg alone makes of it.
 
     Parameters
@@ -42,20 +45,22 @@ def channel_chart(check: SelfCheck, channel: ChannelCheck, alone: SelfCheck | No
     channel : ChannelCheck
     alone : SelfCheck, optional
         The leg alone under the run's forces: the part of the difference that is the leg's own.
+    t : callable
+        Gives the words of a language.
     """
     scale, unit = channel_scale(channel.name)
     lines: list[Line] = [
-        ("run", channel_times(check, channel), [scale * v for v in channel.run_values]),
-        ("model", channel_times(check, channel), [scale * v for v in channel.values]),
+        (t("run"), channel_times(check, channel), [scale * v for v in channel.run_values]),
+        (t("model"), channel_times(check, channel), [scale * v for v in channel.values]),
     ]
     same = next((c for c in alone.channels if c.name == channel.name), None) if alone else None
     if alone and same:
-        lines.append(("leg alone", channel_times(alone, same), [scale * v for v in same.values]))
+        lines.append((t("leg alone"), channel_times(alone, same), [scale * v for v in same.values]))
     marks = [
         (0, 1e3 * channel.run_time, scale * channel.run_peak),
         (1, 1e3 * channel.time, scale * channel.peak),
     ]
-    words = channel_words(channel.name)
+    words = channel_words(channel.name, t)
     title = words[0].upper() + words[1:]
     return lines_chart(lines, title, "ms", unit, width=WIDTH, height=HEIGHT, marks=marks)
 

@@ -12,6 +12,7 @@ from certkit.reporting import palette
 from certkit.reporting.charts.grid import together
 from certkit.reporting.charts.group_places import FACE, GROUND, TALL, GroupPlace, group_places, short
 from certkit.reporting.coupled_check import check_of, worst_group
+from certkit.reporting.language import Translate, english
 from certkit.reporting.number_format import plain
 from certkit.reporting.scales import Scale, ticks
 from certkit.reporting.svg import Drawing, label, number, tag
@@ -41,7 +42,7 @@ def draw(result: ExtractionResult, names: Sequence[str]) -> Drawing | None:
     return together(sketches(result), f"Load paths of the front in run and model, {result.title}")
 
 
-def sketches(result: ExtractionResult) -> list[Drawing]:
+def sketches(result: ExtractionResult, t: Translate = english) -> list[Drawing]:
     """Return the sketch of the run and, where there is a coupled run, that of the model, at one scale."""
     if not result.times or not any(group.position is not None for group in result.groups):
         return []
@@ -50,7 +51,7 @@ def sketches(result: ExtractionResult) -> list[Drawing]:
     last = sum(t <= until + 1e-9 for t in result.times) - 1
     run = {path.name: path.impulse[last] for path in result.paths}
     if check is None:
-        return [_sketch(result, run, "Finite-element run", _largest(run))]
+        return [_sketch(result, run, t("Finite-element run"), _largest(run), t)]
     model = {path.name: path.impulse for path in check.paths}
     impactors = {group.name for group in result.groups if group.kind == "impactor"}
     for path in result.paths:
@@ -59,8 +60,8 @@ def sketches(result: ExtractionResult) -> list[Drawing]:
             model[path.name] = pressed
     largest = max(_largest(run), _largest(model))
     return [
-        _sketch(result, run, "Finite-element run", largest),
-        _sketch(result, model, "Lumped model", largest),
+        _sketch(result, run, t("Finite-element run"), largest, t),
+        _sketch(result, model, t("Lumped model"), largest, t),
     ]
 
 
@@ -68,14 +69,18 @@ def _largest(impulses: Mapping[str, float]) -> float:
     return max((abs(v) for v in impulses.values()), default=0.0) or 1.0
 
 
-def _sketch(result: ExtractionResult, impulses: Mapping[str, float], title: str, largest: float) -> Drawing:
+def _sketch(
+    result: ExtractionResult, impulses: Mapping[str, float], title: str, largest: float, t: Translate
+) -> Drawing:
     groups = {group.name: group for group in result.groups}
     faces = [g for g in result.groups if g.position is not None and g.low is not None and g.high is not None]
     low, high = min(g.low or 0.0 for g in faces) - 0.06, max(g.high or 0.0 for g in faces) + 0.06
     z = Scale(low, high, HEIGHT - BOTTOM, TOP)
     places = group_places(result, z)
-    drawn = _axis(z) + label(6, 14, title, font_weight="600", class_="title")
-    drawn += label(WIDTH - 6, 14, "impulse, N·s", text_anchor="end", fill=palette.MUTED, class_="tick unit")
+    drawn = _axis(z, t) + label(6, 14, title, font_weight="600", class_="title")
+    drawn += label(
+        WIDTH - 6, 14, t("impulse, N·s"), text_anchor="end", fill=palette.MUTED, class_="tick unit"
+    )
     bands, words, said = "", "", []
     shown = sorted(
         (p for p in result.paths if abs(impulses.get(p.name, 0.0)) > LEAST * largest),
@@ -108,21 +113,21 @@ def _sketch(result: ExtractionResult, impulses: Mapping[str, float], title: str,
     drawn += bands + leg + tag("path", d=wall, stroke=palette.MUTED, stroke_width=3, class_="zero")
     hit = next((group.name for group in result.groups if group.kind == "impactor"), "leg")
     drawn += label(LEG, TOP - 13, hit, text_anchor="middle", class_="key")
-    drawn += label(GROUND + 6, TOP - 6, "ground", text_anchor="end", class_="key")
+    drawn += label(GROUND + 6, TOP - 6, t("ground"), text_anchor="end", class_="key")
     worst = worst_group(result)
     boxes = (_box(g, places[g.name], z, worst=g.name == worst) for g in result.groups if g.name in places)
     drawn += "".join(boxes) + words
     listed = "; ".join(said)
-    return Drawing(WIDTH, HEIGHT, drawn, f"{title}: load paths with their impulses in N·s: {listed}")
+    return Drawing(WIDTH, HEIGHT, drawn, f"{title}, {t('load paths with their impulses, N·s')}: {listed}")
 
 
-def _axis(z: Scale) -> str:
+def _axis(z: Scale, t: Translate) -> str:
     drawn = ""
     for value in ticks(z.low * 1e3, z.high * 1e3, 8):
         y = z(value / 1e3)
         drawn += label(30, y + 3.6, plain(value), text_anchor="end", fill=palette.MUTED, class_="tick")
         drawn += tag("path", d=f"M34 {number(y)}h5", stroke=palette.MUTED, class_="zero")
-    words = "height above ground, mm"
+    words = t("height above ground, mm")
     return drawn + label(6, HEIGHT - 8, words, fill=palette.MUTED, class_="tick")
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.reporting import palette
 from certkit.reporting.charts.grid import together
 from certkit.reporting.coupled_check import check_of
+from certkit.reporting.language import Translate, english
 from certkit.reporting.number_format import plain
 from certkit.reporting.scales import Scale, span, ticks
 from certkit.reporting.svg import Drawing, label, number, tag
@@ -32,7 +33,7 @@ def draw(result: ExtractionResult, names: Sequence[str]) -> Drawing | None:
     return together(bars_of(result), f"Impulse and energy in run and model, {result.title}")
 
 
-def bars_of(result: ExtractionResult) -> list[Drawing]:
+def bars_of(result: ExtractionResult, t: Translate = english) -> list[Drawing]:
     """Return the charts: what the leg gave each group, from the top down, and what paths took up and bore."""
     check = check_of(result, "coupled")
     if check is None:
@@ -42,10 +43,10 @@ def bars_of(result: ExtractionResult) -> list[Drawing]:
     peaks = [(p.name, 1e-3 * p.run_peak, 1e-3 * p.peak) for p in check.paths]
     peaks.sort(key=lambda row: -max(abs(row[1]), abs(row[2])))
     drawn = [
-        paired_bars(_of_groups(result, check, "impulse"), "Impulse of the leg on each group", "N·s"),
-        paired_bars(_of_groups(result, check, "work"), "Work of the leg on each group", "J"),
-        paired_bars(absorbed, "Energy taken up by each path", "J"),
-        paired_bars(peaks, "Largest force of each path", "kN"),
+        paired_bars(_of_groups(result, check, "impulse"), t("Impulse of the leg on each group"), "N·s", t),
+        paired_bars(_of_groups(result, check, "work"), t("Work of the leg on each group"), "J", t),
+        paired_bars(absorbed, t("Energy taken up by each path"), "J", t),
+        paired_bars(peaks, t("Largest force of each path"), "kN", t),
     ]
     return [each for each in drawn if each]
 
@@ -60,7 +61,7 @@ def _of_groups(result: ExtractionResult, check: SelfCheck, what: str) -> list[Ro
     return rows
 
 
-def paired_bars(rows: Sequence[Row], title: str, unit: str) -> Drawing | None:
+def paired_bars(rows: Sequence[Row], title: str, unit: str, t: Translate = english) -> Drawing | None:
     """Draw a pair of bars for each row (name, run, model); None where there is nothing to draw."""
     largest = max((max(abs(run), abs(model)) for _, run, model in rows), default=0.0)
     shown = [row for row in rows if max(abs(row[1]), abs(row[2])) > LEAST * largest]
@@ -74,7 +75,7 @@ def paired_bars(rows: Sequence[Row], title: str, unit: str) -> Drawing | None:
     drawn = tag("path", d=grid, stroke=palette.GRID, stroke_width=0.8, class_="grid") if grid else ""
     drawn += label(6, 14, title, font_weight="600", class_="title")
     drawn += label(WIDTH - 6, 14, unit, text_anchor="end", fill=palette.MUTED, class_="tick unit")
-    for k, words in enumerate(("run", "model")):
+    for k, words in enumerate((t("run"), t("model"))):
         drawn += _bar(6 + 70 * k, 22, 18, k) + label(29 + 70 * k, 31.5, words, class_="key")
     for row, (name, *pair) in enumerate(shown):
         y = TOP + ROW * row
@@ -93,8 +94,11 @@ def paired_bars(rows: Sequence[Row], title: str, unit: str) -> Drawing | None:
             drawn += label(at, above, plain(value, 3), text_anchor=anchor, fill=palette.MUTED, class_="tick")
     zero = x(0.0)
     drawn += tag("line", x1=zero, x2=zero, y1=TOP - 6, y2=bottom, stroke=palette.MUTED, class_="zero")
-    said = "; ".join(f"{name} {plain(run, 3)} and {plain(model, 3)}" for name, run, model in shown)
-    return Drawing(WIDTH, bottom + 8, drawn, f"{title} in run and model, {unit}: {said}")
+    said = "; ".join(
+        f"{name} {t('{first} and {last}', first=plain(run, 3), last=plain(model, 3))}"
+        for name, run, model in shown
+    )
+    return Drawing(WIDTH, bottom + 8, drawn, f"{title}, {t('run')} | {t('model')}, {unit}: {said}")
 
 
 def _bar(x: float, y: float, width: float, side: int) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.motion_frames import colour_key
+from certkit.reporting.language import Translate, english
 from certkit.reporting.number_format import fixed
 from certkit.reporting.scales import Scale
 from certkit.reporting.svg import Drawing, label, path, tag
@@ -21,7 +22,6 @@ WIDTH, HEIGHT, LEFT = 740.0, 230.0, 54.0
 """px: of the drawing, of one row, and of the column with the rows' names."""
 MOST = 6
 """Instants that are drawn."""
-SIDES = (("run", "run"), ("model", "model"))
 ROOM = 0.02
 """m around what moves."""
 
@@ -50,7 +50,7 @@ def moment_peak(motion: FrontMotion) -> float:
     return max((abs(v) for row in rows for v in row), default=0.0) or 1.0
 
 
-def run_and_model(motion: FrontMotion, *, most: int = MOST) -> Drawing:
+def run_and_model(motion: FrontMotion, t: Translate = english, *, most: int = MOST) -> Drawing:
     """Draw run and model at the same instants, evenly chosen, the leg coloured by its bending moment."""
     last = len(motion.times) - 1
     frames = sorted({round(last * k / (most - 1)) for k in range(most)})
@@ -60,7 +60,7 @@ def run_and_model(motion: FrontMotion, *, most: int = MOST) -> Drawing:
     height = (high - low) * factor
     peak = moment_peak(motion)
     drawn = ""
-    for row, (side, words) in enumerate(SIDES):
+    for row, (side, words) in enumerate((("run", t("run")), ("model", t("model")))):
         above = 22 + row * (height + 10)
         drawn += label(4, above + height / 2, words, font_weight="600", class_="title")
         for column, frame in enumerate(frames):
@@ -74,10 +74,10 @@ def run_and_model(motion: FrontMotion, *, most: int = MOST) -> Drawing:
             drawn += _frame(motion, side, frame, x, z, peak)
     total = 22 + 2 * (height + 10)
     if any(line.run_moments or line.model_moments for line in motion.lines):
-        drawn += colour_key(peak, "N·m", LEFT, total + 4, 160)
+        drawn += colour_key(peak, "N·m", LEFT, total + 4, 160, t)
         total += 28
     listed = ", ".join(fixed(motion.times[f] * 1e3, 0) for f in frames)
-    words = f"Leg and front in the finite-element run and in the lumped model at {listed} ms, to scale"
+    words = t("Leg and front in the finite-element run and in the lumped model at {times} ms", times=listed)
     return Drawing(WIDTH, total, drawn, words)
 
 
@@ -108,9 +108,9 @@ def _frame(motion: FrontMotion, side: str, frame: int, x: Scale, z: Scale, peak:
     )
 
 
-def leg_colours(motion: FrontMotion) -> Drawing | None:
+def leg_colours(motion: FrontMotion, t: Translate = english) -> Drawing | None:
     """Draw what the leg's colours mean; None where it has none."""
     if not any(line.run_moments or line.model_moments for line in motion.lines):
         return None
-    body = colour_key(moment_peak(motion), "N·m", 6, 4, 160)
-    return Drawing(330, 30, body, "Colours of the leg: bending moment in N·m")
+    body = colour_key(moment_peak(motion), "N·m", 6, 4, 160, t)
+    return Drawing(330, 30, body, t("Colours of the leg: bending moment, N·m"))

@@ -9,6 +9,7 @@ from certkit.reporting.charts.chosen import chosen
 from certkit.reporting.charts.grid import together
 from certkit.reporting.charts.lines import Line, lines_chart
 from certkit.reporting.coupled_check import check_of, group_of
+from certkit.reporting.language import Translate, english
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -38,7 +39,7 @@ def draw(result: ExtractionResult, names: Sequence[str]) -> Drawing | None:
     return together([p for p in panels if p], f"Force over shortening, {result.title}")
 
 
-def spring_chart(result: ExtractionResult, path: PathResult) -> Drawing | None:
+def spring_chart(result: ExtractionResult, path: PathResult, t: Translate = english) -> Drawing | None:
     """Draw one spring or sheet; None for one that nothing pushed.
 
     A sheet's force follows the mean displacement of both groups; that is its abscissa.
@@ -47,26 +48,26 @@ def spring_chart(result: ExtractionResult, path: PathResult) -> Drawing | None:
     if not any(path.force):
         return None
     if path.sheet is not None:
-        return _sheet_chart(result, path, check)
+        return _sheet_chart(result, path, check, t)
     xs = [1e3 * x for x in path.shortening]
     if not any(xs):
         return None
     top = max(range(len(xs)), key=lambda k: xs[k])
     lines: list[Line] = [
-        ("run", *_pressed(xs[: top + 1], path.force[: top + 1])),
-        ("run, back", *_pressed(xs[top:], path.force[top:])),
+        (t("run"), *_pressed(xs[: top + 1], path.force[: top + 1])),
+        (t("run, back"), *_pressed(xs[top:], path.force[top:])),
     ]
     pens = [PENS[0], PENS[1]]
     farthest = max(xs[top], 1e3 * check.largest if check else 0.0)
     if path.law:
-        lines.append(("law", *_law(path.law, 1e-3 * farthest)))
+        lines.append((t("law"), *_law(path.law, 1e-3 * farthest)))
         pens.append(PENS[2])
     if check:
-        lines.append(("model", *_pressed([1e3 * x for x in check.shortening], check.force)))
+        lines.append((t("model"), *_pressed([1e3 * x for x in check.shortening], check.force)))
         pens.append(PENS[3])
     beyond = xs[top] if farther(result, path) else None
     return lines_chart(
-        lines, path.name, "shortening, mm", "N", width=WIDTH, height=HEIGHT, pens=pens, beyond=beyond
+        lines, path.name, t("shortening, mm"), "N", width=WIDTH, height=HEIGHT, pens=pens, beyond=beyond
     )
 
 
@@ -137,24 +138,26 @@ def _at(law: LawResult, x: float) -> float:
     return fs[k - 1] + (fs[k] - fs[k - 1]) * (x - xs[k - 1]) / (xs[k] - xs[k - 1])
 
 
-def _sheet_chart(result: ExtractionResult, path: PathResult, check: PathCheck | None) -> Drawing | None:
+def _sheet_chart(
+    result: ExtractionResult, path: PathResult, check: PathCheck | None, t: Translate
+) -> Drawing | None:
     run, model = _pushed_in(result, path)
     if not run:
         return None
     top = max(range(len(run)), key=lambda k: run[k])
     lines: list[Line] = [
-        ("run", run[: top + 1], path.force[: top + 1]),
-        ("run, back", run[top:], path.force[top:]),
+        (t("run"), run[: top + 1], path.force[: top + 1]),
+        (t("run, back"), run[top:], path.force[top:]),
     ]
     pens = [PENS[0], PENS[1]]
     if check and model:
-        lines.append(("model", model[: len(check.force)], check.force[: len(model)]))
+        lines.append((t("model"), model[: len(check.force)], check.force[: len(model)]))
         pens.append(PENS[3])
     beyond = run[top] if farther(result, path) else None
     return lines_chart(
         lines,
         path.name,
-        "both pushed in, mean, mm",
+        t("both pushed in, mean, mm"),
         "N",
         width=WIDTH,
         height=HEIGHT,
