@@ -1,4 +1,4 @@
-"""The planar model on pymunk: legform, fixtures, force laws, solver, and what a run yields.
+"""The planar model on pymunk: legform, rig, force laws, solver, and what a run yields.
 
 `simulate` is the way in. Importing this room imports pymunk, so it is imported where it is used.
 """

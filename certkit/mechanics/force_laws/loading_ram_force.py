@@ -13,27 +13,15 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
-from certkit.mechanics.force_laws.law import CurvePoint, ForceLaw, Instant, Load, Totals
+from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
 from certkit.mechanics.force_laws.leg_outline import piece_at
+from certkit.mechanics.force_laws.piecewise_linear import held
 
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
 
 JOINT = 1e-9
 """m: how near a joint the station counts as on it."""
-
-
-@compiled
-def _force_at(curves: Rows[CurvePoint], start: int, points: int, time: float) -> float:
-    """Interpolate the schedule; after its end the last force stays."""
-    last = start + points - 1
-    if time >= curves[last].x:
-        return curves[last].force
-    k = start
-    while time >= curves[k + 1].x:
-        k += 1
-    share = (time - curves[k].x) / (curves[k + 1].x - curves[k].x)
-    return curves[k].force + share * (curves[k + 1].force - curves[k].force)
 
 
 @dataclass(kw_only=True, eq=False, repr=False)
@@ -68,7 +56,7 @@ class LoadingRamForce(ForceLaw):
         """Add the ram's force."""
         for i in range(len(rams)):
             ram = rams[i]
-            force = _force_at(now.curves, ram.schedule_start, ram.schedule_points, now.time)
+            force = held(now.curves, ram.schedule_start, ram.schedule_points, now.time)
             ram.force = force
             if ram.ram < len(now.pose) - 1:
                 load[ram.ram].x -= force

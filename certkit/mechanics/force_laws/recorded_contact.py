@@ -13,7 +13,7 @@ from certkit.mechanics.compiling import compiled
 from certkit.mechanics.force_laws.face_contact import untilted_piece_at
 from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
 from certkit.mechanics.force_laws.leg_outline import surface_at, surface_velocity
-from certkit.mechanics.force_laws.recorded_path import held
+from certkit.mechanics.force_laws.piecewise_linear import held
 
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State

@@ -17,6 +17,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.piecewise_linear import held
 
 if TYPE_CHECKING:
     from certkit.mechanics.force_laws.law import CurvePoint
@@ -30,24 +31,6 @@ class RecordedPath(Protocol):
     in_points: int
     back_start: int
     back_points: int
-
-
-@compiled
-def held(curves: Rows[CurvePoint], start: int, count: int, x: float) -> float:
-    """Return a curve's value at x, linear between its points and held beyond its ends."""
-    low, high = start, start + count - 1
-    if x >= curves[high].x:
-        return curves[high].force
-    if x <= curves[low].x:
-        return curves[low].force
-    while high - low > 1:
-        middle = (low + high) // 2
-        if x < curves[middle].x:
-            high = middle
-        else:
-            low = middle
-    share = (x - curves[low].x) / (curves[high].x - curves[low].x)
-    return curves[low].force + share * (curves[high].force - curves[low].force)
 
 
 @compiled

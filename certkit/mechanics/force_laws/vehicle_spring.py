@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 @compiled
 def _loading(curves: Rows[CurvePoint], start: int, count: int, x: float) -> float:
     """Return the force at x ≥ 0, continued with the last slope, but never with a falling one."""
-    low, high = start, start + count - 1
+    low, high = start, start + count - 1  # its own search: with the shared one fronts take 4 % longer
     if x >= curves[high].x:
         slope = (curves[high].force - curves[high - 1].force) / (curves[high].x - curves[high - 1].x)
         return curves[high].force + max(slope, 0.0) * (x - curves[high].x)

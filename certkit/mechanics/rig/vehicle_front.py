@@ -45,22 +45,7 @@ def build_front(
 ) -> FrontModel:
     """Build a vehicle's front where it just touches the leg; return what was built.
 
-    Parameters
-    ----------
-    rig : RigBuilder
-        The rig, its leg turned and thrown already.
-    assembly : Assembly
-        The rig's.
-    vehicle : Vehicle
-    ground : float
-        Height of the ground, m.
-    angle : float
-        By which the leg was turned about the knee centre, rad.
-
-    Raises
-    ------
-    RunError
-        When the leg would miss every face.
+    The leg has been turned and thrown already; see `RigBuilder.add_vehicle_front`.
     """
     folding = outline_strips(vehicle, ground)
     strips = [] if folding else face_strips(vehicle, ground)
