@@ -6,6 +6,7 @@ its own time vector; keys come in any order; `rcforc` lists each contact twice, 
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,8 +33,8 @@ class BinoutTables:
         self._files, self._source = files, source
         self._joined: dict[str, JoinedTable] = {}
 
-    def tables(self) -> list[str]:
-        """Return the names of all tables; those of `elout` and `rwforc` stand one level down."""
+    @cached_property
+    def _names(self) -> list[str]:
         found: dict[str, None] = {}
         for _, reader in self._files.readers:
             for name in sorted(reader.read()):
@@ -43,13 +44,17 @@ class BinoutTables:
                 found |= dict.fromkeys([f"{name}/{each}" for each in inner] or [name])
         return list(found)
 
+    def tables(self) -> list[str]:
+        """Return the names of all tables; those of `elout` and `rwforc` stand one level down."""
+        return list(self._names)
+
     def has_table(self, table: str) -> bool:
         """Tell whether there is a table of that name."""
-        return table in self.tables()
+        return table in self._names
 
     def has(self, table: str, name: str) -> bool:
         """Tell whether a table has a variable."""
-        return name in self._table(table).variables()
+        return name in self._table(table).variables
 
     def ids(self, table: str) -> list[int]:
         """Return the ids of a table's objects."""

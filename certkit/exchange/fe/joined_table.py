@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -98,8 +99,9 @@ class JoinedTable:
         """Return the ids of the objects, one a column."""
         return [number for number, _ in self.keys]
 
+    @cached_property
     def variables(self) -> set[str]:
-        """Return what any of the files has."""
+        """What any of the files has."""
         return {str(name) for part in self._files for name in part.reader.read(*self._path)}
 
     def titles(self, widths: Sequence[int]) -> dict[int, str]:

@@ -15,6 +15,7 @@ from certkit.errors import DataError
 from certkit.exchange.fe.run_histories import growth_of_distance
 from certkit.exchange.fe.run_radioss import rate_of
 from certkit.exchange.read import read_recording
+from tests.support.radioss_writer import Group, History, written
 
 RUNS = Path(__file__).parents[3] / "examples" / "finite-elements"
 
@@ -103,3 +104,18 @@ def test_conditions_that_contradict_the_run_are_refused(radioss: tuple[Path, str
     folder, text = radioss
     with pytest.raises(DataError, match=r"hourglass energy is 0\.02 here and 0 in"):
         read(folder, text + "  hourglass energy: 2 %\n")
+
+
+def test_units_that_a_run_leaves_open_are_noted_in_the_recording(tmp_path: Path):
+    time = np.linspace(0.0, 20.0, 81)
+    push = np.cumsum(np.where(time > 5.0, np.sin(time - 5.0) ** 2, 0.0))
+    run = History(time, {}, [Group(101, {1: "leg to front"}, {1: [push]})])
+    (tmp_path / "legT01").write_bytes(written(run, 4021, factors=(1.0, 1.0, 1.0)))
+    told = read(
+        tmp_path,
+        "mapping: made up\nsource: made up\nfinite elements:\n  legform model: {name: made up}\n"
+        "  channels: {contact force: {table: contact, of: leg to front, variable: FNX}}\n",
+    )
+    said = [str(note.parameters["said"]) for note in told.notes if note.code == "run-files-remark"]
+    assert len(said) == 1
+    assert "unit factors are all 1" in said[0]

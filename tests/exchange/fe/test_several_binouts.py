@@ -60,6 +60,34 @@ def test_tables_and_objects_that_processors_wrote_apart_are_put_together(tmp_pat
     assert not any("among the files" in note for note in found.notes)
 
 
+@pytest.mark.parametrize(
+    ("units", "mass", "length", "time"), [("t mm s", 1e-3, 1.0, 1e-3), ("kg m s", 1.0, 1e-3, 1e-3)]
+)
+def test_a_run_in_other_units_gives_the_same_numbers(
+    tmp_path: Path, units: str, mass: float, length: float, time: float
+) -> None:
+    found = {}
+    for name, factors in (("kg mm ms", (1.0, 1.0, 1.0)), (units, (mass, length, time))):
+        m, x, t = factors
+        parts, contacts = matsum(TIME, (1, 2)), rcforc(TIME, (7,))
+        for table in (parts, contacts):
+            table["time"] = t * table["time"]
+        parts["mass"] = m * parts["mass"]
+        parts["x_rbvelocity"] = x / t * parts["x_rbvelocity"]
+        parts["x_momentum"] = m * x / t * parts["x_momentum"]
+        contacts["x_force"] = m * x / t**2 * contacts["x_force"]
+        path = write(tmp_path / f"binout{len(found):04d}", matsum=parts, rcforc=contacts)
+        found[name] = read_binout(path, parse_units(name), {})
+    assert found[units].time == pytest.approx(found["kg mm ms"].time)
+    for name, part in found["kg mm ms"].parts.items():
+        other = found[units].parts[name]
+        assert other.mass == pytest.approx(part.mass)
+        assert other.momentum == pytest.approx(part.momentum)
+        assert other.displacement == pytest.approx(part.displacement)
+    wanted = found["kg mm ms"].contact("contact 7").impulse
+    assert found[units].contact("contact 7").impulse == pytest.approx(wanted)
+
+
 def test_tables_one_level_down_are_found_and_joined(tmp_path: Path) -> None:
     inner = [{"matsum": matsum(TIME, (1,)), "rwforc/forces": rcforc(TIME, (number,))} for number in (4, 5)]
     inner[1].pop("matsum")
