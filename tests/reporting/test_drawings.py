@@ -230,3 +230,14 @@ def test_a_drawing_placed_in_another_keeps_its_size():
     assert [(e.get("width"), e.get("height"), e.get("y")) for e in (first, second)] == [("30", "20", "0")] * 2
     assert float(second.get("x")) >= float(first.get("x")) + 30.0
     assert first.get("aria-label") == "small & round"
+
+
+def test_keys_in_japanese_stand_beside_their_title_and_not_on_it() -> None:
+    def first_key(title: str) -> float:
+        drawn = parsed(str(lines_chart([("run", [0, 1], [0, 1])], title, "ms", "N")))
+        return min(
+            float(e.get("x1") or 0) for e in drawn.iter() if e.get("stroke-width") == "2" and e.get("x1")
+        )
+
+    assert first_key("脛骨モーメント 4") > 6 + 11 * 7
+    assert first_key("abcdefghi") == pytest.approx(6 + 6.6 * 9 + 18)

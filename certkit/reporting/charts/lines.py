@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from certkit.reporting import palette
 from certkit.reporting.charts.axes import Frame
 from certkit.reporting.scales import span, traced
-from certkit.reporting.svg import Drawing, label, path, tag
+from certkit.reporting.svg import Drawing, label, letters, path, tag
 
 Line = tuple[str, Sequence[float], Sequence[float]]
 """Name, abscissae, ordinates."""
@@ -96,14 +96,14 @@ def _css(pen: palette.Pen) -> str:
 
 def _legend(lines: Sequence[Line], title: str, width: float) -> list[tuple[int, float]]:
     """Return the row and the place of each key, leaving room for the plot's title and its unit."""
-    first, row = 6 + 6.6 * len(title) + 18, 0
-    longest = max(27 + 6.2 * len(name) + 14 for name, _, _ in lines)
+    first, row = 6 + 6.6 * letters(title) + 18, 0
+    longest = max(27 + 6.2 * letters(name) + 14 for name, _, _ in lines)
     if first + longest > width - 40:  # no room beside a long title: below it
         first, row = 6.0, 1
     place = first
     found: list[tuple[int, float]] = []
     for name, _, _ in lines:
-        length = 27 + 6.2 * len(name) + 14
+        length = 27 + 6.2 * letters(name) + 14
         if place + length > width - 40:
             row, place = row + 1, first
         found.append((row, place))
