@@ -101,11 +101,11 @@ def _meet(strips: Rows[SkinnedFoamContact], now: Instant) -> None:
 
 @compiled
 def _load_leg(
-    strip: SkinnedFoamContact, now: Instant, load: Rows[Load], totals: Totals, stored: float
+    strip: SkinnedFoamContact, now: Instant, load: Rows[Load], totals: Totals, stored: float, by_cosine: float
 ) -> float:
     """Press a strip's force on the leg and its groups; return how the depth grows with the strip's height.
 
-    As `face_contact.press_strip` does; `stored` is the foam's energy, J.
+    As `face_contact.press_strip` does; `stored` is the foam's energy (J), `by_cosine` its derivative.
     """
     piece, z, force = strip.piece, strip.z, strip.force
     upper, lower, weight = pieces_sharing(now, piece, z)
@@ -124,8 +124,6 @@ def _load_leg(
     by_height = -(1.0 - weight) * by_z - weight * other_z - (across * 0.5 / RAMP if weight > 0.0 else 0.0)
     push_back(load, above, (1.0 - weight) * force, by_z, by_angle)
     push_back(load, below, weight * force, other_z, other_angle)
-    press, _, _, _ = foam_of(strip, now)
-    by_cosine = (press * strip.pressed - stored) / strip.cosine
     up = force * across + energy * (kept_below - kept)
     up += by_cosine * (now.pose[below].cos - now.pose[above].cos)
     up *= 0.5 / RAMP
@@ -184,6 +182,10 @@ class SkinnedFoamContact(ForceLaw):
         u (m), and Wₘ (J/m).
     before, felt : State
         u and R a step ago.
+    by_cosine : State
+        Derivative of the foam's energy by the cosine, J.
+    leaned, gripped : State
+        Cosine, and what the leg's ends and tilt leave, a step ago.
     largest, x, z, face, shift, climb : State
         As in `FoldingFaceContact`, m.
     height, size, grip, cosine : State
@@ -239,6 +241,9 @@ class SkinnedFoamContact(ForceLaw):
     coupled: State = 0.0
     before: State = 0.0
     felt: State = 0.0
+    by_cosine: State = 0.0
+    leaned: State = 1.0
+    gripped: State = 0.0
     piece: int = 0
     held: int = 0
     chain: int = 0
@@ -252,6 +257,7 @@ class SkinnedFoamContact(ForceLaw):
             strip = strips[i]
             _place(strip, now)
             strip.before, strip.felt = strip.pressed, strip.force
+            strip.leaned, strip.gripped = strip.cosine, strip.grip
             strip.force = 0.0
             lost += strip.stored
             strip.stored = 0.0
@@ -260,9 +266,14 @@ class SkinnedFoamContact(ForceLaw):
         press_skin(strips, now, count)
         for k in range(count):
             strip = strips[strips[k].chain]
-            _, _, stored, work = foam_of(strip, now)
+            press, _, stored, work = foam_of(strip, now)
             strip.most = max(strip.most, work)
-            by_height = _load_leg(strip, now, load, totals, stored)
+            by_cosine = (press * strip.pressed - stored) / strip.cosine
+            by_height = _load_leg(strip, now, load, totals, stored, by_cosine)
+            # What the leg's turning and ends take from the foam is no loss.
+            lost += 0.5 * (strip.by_cosine + by_cosine) * (strip.cosine - strip.leaned)
+            lost += stored / strip.grip * (strip.grip - strip.gripped)
+            strip.by_cosine = by_cosine
             felt = 0.5 * (strip.felt + strip.force)
             lost += felt * (strip.pressed - strip.before + strip.shift - by_height * strip.climb)
             if k < count - 1:
