@@ -6,7 +6,7 @@ from pathlib import Path
 from string import Template
 from typing import TYPE_CHECKING
 
-from docs.make.validation import bench, extraction, leg, recorded_leg, tests
+from docs.make.validation import bench, contact_heights, extraction, leg, recorded_leg, tests
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -37,6 +37,7 @@ def validation(tell: Callable[[str], None]) -> str:
         bumpers=bumpers,
         front=extraction.front_words(front),
         channels=extraction.channels_table(front),
+        heights=contact_heights.heights_table(extraction.FRONT, tell),
         groups=extraction.groups_table(front),
         predicted=leg.prediction_table(tell),
     )
