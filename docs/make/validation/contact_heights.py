@@ -19,12 +19,14 @@ from docs.make.markdown import signed, table
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from certkit.documents.self_check import ChannelCheck
+
 MOVED = (-0.005, 0.0, 0.005)
 """m: half an element of the finite-element run's fascia."""
 
 
 def heights_table(front: str, tell: Callable[[str], None]) -> str:
-    """Drive the leg by the run's contact forces at their heights, lower and higher; return peaks and times."""
+    """Drive the leg by the run's contact forces where they act, lower and higher; return peaks and times."""
     tell("drive the leg by forces at other heights")
     case = shipped_root() / "examples" / "extract" / front / "case.yaml"
     document = load("case", case).document
@@ -49,11 +51,14 @@ def heights_table(front: str, tell: Callable[[str], None]) -> str:
     rows = [
         (
             name,
-            *(
-                f"{signed(column[name].error_percent)} %, {signed(1e3 * (column[name].time - column[name].run_time))} ms"
-                for column in columns
-            ),
+            *(_said(column[name]) for column in columns),
         )
         for name in ("T1", "T2", "T3", "T4", "F1", "F3", "MCL")
     ]
     return table(("channel", "5 mm lower", "where they act", "5 mm higher"), rows)
+
+
+def _said(channel: ChannelCheck) -> str:
+    """Return a peak's error and by how much it comes later."""
+    later = 1e3 * (channel.time - channel.run_time)
+    return f"{signed(channel.error_percent)} %, {signed(later)} ms"
