@@ -12,7 +12,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from certkit.errors import UsageError
-from certkit.reporting.language import ENGLISH
+from certkit.reporting.language_list import ENGLISH
 from certkit.reporting.report_format import FORMATS
 
 if TYPE_CHECKING:

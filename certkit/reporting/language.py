@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from certkit.documents.wording import with_words
 from certkit.errors import UsageError
 from certkit.reasons import WORDS, Reason
+from certkit.reporting import language_list
 from certkit.reporting.language_list import FOLDER, languages
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
     Model = TypeVar("Model", bound=BaseModel)
 
-ENGLISH = "en"
+ENGLISH = language_list.ENGLISH
 
 Translate = Callable[..., str]
 """A language's fixed word for an English one: `Language.word`."""

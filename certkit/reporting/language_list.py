@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+ENGLISH = "en"
+"""What documents are written in, and help."""
+
 FOLDER = Path(__file__).resolve().parent / "languages"
 
 

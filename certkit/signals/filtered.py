@@ -50,6 +50,9 @@ class Filtered:
         UnusableError
             When the channel is missing, is not finite, or cannot be filtered so, with the reason.
         """
+        key = (name, words)
+        if key in self._kept:
+            return self._kept[key]
         if name not in self.recording:
             raise UnusableError(
                 f"channel `{name}` was not recorded", Reason.of("channel-not-recorded", channel=name)
@@ -64,16 +67,15 @@ class Filtered:
                 Reason.of("channel-not-finite", channel=name, bad=bad, count=channel.values.size),
             )
         if not needs_filter(channel, words):
+            self._kept[key] = channel.values
             return channel.values
-        key = (name, words)
-        if key not in self._kept:
-            try:
-                self._kept[key] = cfc(channel.values, self.recording.interval, CLASSES[words])
-            except DataError as error:
-                raise UnusableError(
-                    f"channel `{name}`: {error}",
-                    Reason.of("channel-unusable", channel=name, reason=reason_of(error)),
-                ) from error
+        try:
+            self._kept[key] = cfc(channel.values, self.recording.interval, CLASSES[words])
+        except DataError as error:
+            raise UnusableError(
+                f"channel `{name}`: {error}",
+                Reason.of("channel-unusable", channel=name, reason=reason_of(error)),
+            ) from error
         return self._kept[key]
 
 
