@@ -9,11 +9,12 @@ from certkit.bench.result_folder import AnotherResultError, result_switch, suite
 from certkit.files import write_whole
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Collection, Sequence
+    from collections.abc import Callable, Collection, Mapping, Sequence
 
     from certkit.documents.output_document import OutputDocument
     from certkit.documents.result import Result
     from certkit.reporting.report_format import Paper
+    from certkit.reporting.result_view import View
 
 
 def render(  # noqa: PLR0913  # as many as the command has options
@@ -28,6 +29,7 @@ def render(  # noqa: PLR0913  # as many as the command has options
     numbered: bool = False,
     tell: Callable[[str], None] = lambda _: None,
     beside: Callable[[Path], Sequence[Path]] = lambda _: (),
+    shown: dict[str, list[View]] | None = None,
 ) -> list[Path]:
     """Write a document as JSON, and the wanted reports of it.
 
@@ -58,6 +60,8 @@ def render(  # noqa: PLR0913  # as many as the command has options
         Told of a folder that was passed over, and of waiting for another process.
     beside : callable
         Given a folder, writes further files of this document into it and returns them.
+    shown : dict, optional
+        Of a result: gets what its reports show, by language, for `render_suite`.
 
     Returns
     -------
@@ -78,7 +82,16 @@ def render(  # noqa: PLR0913  # as many as the command has options
     while True:
         try:
             written = _render(
-                document, folder, asked, paper, language, signer, force=force, tell=tell, beside=beside
+                document,
+                folder,
+                asked,
+                paper,
+                language,
+                signer,
+                force=force,
+                tell=tell,
+                beside=beside,
+                shown=shown,
             )
         except AnotherResultError:
             if not numbered:
@@ -102,6 +115,7 @@ def _render(  # noqa: PLR0913  # what `render` is asked for
     force: bool,
     tell: Callable[[str], None],
     beside: Callable[[Path], Sequence[Path]],
+    shown: dict[str, list[View]] | None,
 ) -> list[Path]:
     with result_switch(folder, document, force=force, tell=tell) as stage:
         text = document.readable_json()
@@ -112,7 +126,7 @@ def _render(  # noqa: PLR0913  # what `render` is asked for
 
             # From the text, whose numbers are rounded: reports are the ones that the document alone makes.
             again = document.from_json(text)
-            written += render_document(again, stage, asked, paper=paper, spoken=language)
+            written += render_document(again, stage, asked, paper=paper, spoken=language, shown=shown)
             _sign(written, sign)
     return [folder / path.relative_to(stage) for path in written]
 
@@ -158,11 +172,12 @@ def render_suite(  # noqa: PLR0913  # as many as the command has options
     sign: Path | None = None,
     force: bool = False,
     folders: Sequence[Path] = (),
+    shown: Mapping[str, list[View]] | None = None,
 ) -> list[Path]:
     """Write the index page and the bound certificate of several results.
 
     `folders` hold the reports of the results, where they have just been written on this paper and in this
-    language: their certificates are bound, and not set again.
+    language: their certificates are bound, and not set again. `shown` is what `render` got of them.
 
     Raises
     ------
@@ -174,7 +189,9 @@ def render_suite(  # noqa: PLR0913  # as many as the command has options
     signer = _signer(sign)
     pdfs = [_unsigned(folder / "report.pdf") for folder in folders] if "pdf" in split(formats) else []
     with suite_switch(Path(out), results, force=force) as stage:
-        written = write(results, stage, split(formats), title=title, paper=paper, spoken=language, pdfs=pdfs)
+        written = write(
+            results, stage, split(formats), title=title, paper=paper, spoken=language, pdfs=pdfs, shown=shown
+        )
         _sign(written, signer)
     return [Path(out) / path.relative_to(stage) for path in written]
 

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.documents.result import Result
+    from certkit.reporting.result_view import View
 
 
 @dataclass
@@ -32,6 +33,8 @@ class GradedTests:
         What was done so far, and where it lies.
     failures : list of CertkitError
         One that fails must not take the others with it.
+    shown : dict
+        What the reports show, by language: a suite of them does not draw it again.
     """
 
     formats: Sequence[str]
@@ -43,6 +46,7 @@ class GradedTests:
     results: list[Result] = field(default_factory=list)
     folders: list[Path] = field(default_factory=list)
     failures: list[CertkitError] = field(default_factory=list)
+    shown: dict[str, list[View]] = field(default_factory=dict)
 
     def add(self, grade: Callable[[], Result], folder: Callable[[Result], Path]) -> None:
         """Grade a test and write its reports into the folder that its result goes to."""
@@ -60,6 +64,7 @@ class GradedTests:
                 force=self.force,
                 numbered=self.numbered,
                 tell=terminal.tell,
+                shown=self.shown,
             )
         except CertkitError as error:
             self.failures.append(error)

@@ -99,6 +99,7 @@ def run(
                     sign=sign,
                     force=force or out is None,
                     folders=tests.folders,
+                    shown=tests.shown,
                 )
             except CertkitError as error:
                 tests.failures.append(error)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from certkit.documents.output_document import OutputDocument
     from certkit.reporting.report_format import Paper
+    from certkit.reporting.result_view import View
 
 
 @dataclass(frozen=True)
@@ -107,6 +108,7 @@ def render_document(
     *,
     paper: Paper = "A4",
     spoken: str = ENGLISH,
+    shown: dict[str, list[View]] | None = None,
 ) -> list[Path]:
     """Write the reports of a document of any kind into a folder.
 
@@ -122,6 +124,8 @@ def render_document(
         Page size of the PDF, where there is a choice.
     spoken : str
         Language of pages and PDFs.
+    shown : dict, optional
+        Gets the views of a result by their language, for a suite.
 
     Returns
     -------
@@ -139,8 +143,9 @@ def render_document(
     options = {"paper": paper} if report.takes_paper else {}
     if report.writer:
         module, _, name = report.writer.partition(":")
+        more = {} if shown is None else {"shown": shown}
         found: list[Path] = getattr(import_module(module), name)(
-            document, out, wanted, spoken=spoken, **options
+            document, out, wanted, spoken=spoken, **options, **more
         )
         return found
     from certkit.reporting.named_files import write_named  # noqa: PLC0415  # `--help` asks for formats alone

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from copy import copy
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -14,7 +14,7 @@ from certkit.reporting.report_format import FORMATS, report_format
 from certkit.reporting.result_view import unique_views
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterator, Sequence
+    from collections.abc import Collection, Iterator, Mapping, Sequence
     from pathlib import Path
 
     from certkit.documents.result import Result
@@ -39,7 +39,13 @@ def checked(formats: Collection[str]) -> list[str]:
 
 
 def render(
-    result: Result, out: Path, formats: Collection[str], *, paper: Paper = "A4", spoken: str = ENGLISH
+    result: Result,
+    out: Path,
+    formats: Collection[str],
+    *,
+    paper: Paper = "A4",
+    spoken: str = ENGLISH,
+    shown: dict[str, list[View]] | None = None,
 ) -> list[Path]:
     """Write the reports of one result into a folder.
 
@@ -55,6 +61,8 @@ def render(
         Page size of the PDF.
     spoken : str
         Language of page and PDF; files for machines, and the summary, are English.
+    shown : dict, optional
+        Gets the result's views by their language, for a suite of it.
 
     Returns
     -------
@@ -67,10 +75,15 @@ def render(
     UsageError
         When a format is unknown.
     """
-    return _write([result], out, formats, title=None, paper=paper, spoken=spoken)
+    views: dict[str, list[View]] = {}
+    written = _write([result], views, out, formats, title=None, paper=paper, spoken=spoken)
+    if shown is not None:
+        for code, made in views.items():
+            shown.setdefault(code, []).extend(made)
+    return written
 
 
-def render_suite(
+def render_suite(  # noqa: PLR0913  # what may be at hand already, beside what is asked for
     results: Sequence[Result],
     out: Path,
     formats: Collection[str],
@@ -79,14 +92,33 @@ def render_suite(
     paper: Paper = "A4",
     spoken: str = ENGLISH,
     pdfs: Sequence[bytes | None] = (),
+    shown: Mapping[str, list[View]] | None = None,
 ) -> list[Path]:
     """Write what binds several results together: index page, one PDF with contents, JUnit, summary.
 
     The index page holds all reports, so it can be handed on as a single file. `pdfs` are the certificates of
-    the results, as far as they have been set on this paper and in this language, unsigned.
+    the results, as far as they have been set on this paper and in this language, unsigned; `shown` are views
+    of the results in their order, as `render` has made them: what they have drawn is not drawn again.
     """
-    results = [result.as_written() for result in results]
-    return _write(results, out, formats, title=title, paper=paper, spoken=spoken, pdfs=pdfs)
+    ids = [result.id for result in results]
+    views = {
+        code: made
+        for code, made in (shown or {}).items()
+        if [view.document.id for view in made] == ids and len({view.key for view in made}) == len(made)
+    }
+    known = next(iter(views.values()), None)
+    results = [view.document for view in known] if known else [result.as_written() for result in results]
+    if pdfs:
+        made = views.get(spoken) or unique_views(results, spoken)
+        views[spoken] = [_with_pdf(view, pdf) for view, pdf in zip(made, pdfs, strict=True)]
+    return _write(results, views, out, formats, title=title, paper=paper, spoken=spoken)
+
+
+def _with_pdf(view: View, pdf: bytes | None) -> View:
+    """Return a view with its certificate; what was drawn stays drawn."""
+    other = copy(view)
+    object.__setattr__(other, "pdf", pdf)
+    return other
 
 
 def repeatable(folder: Path) -> list[str]:
@@ -119,16 +151,16 @@ def rendered_again(result: Result, folder: Path) -> Iterator[tuple[str, bytes]]:
 
 def _write(  # what a format takes
     results: Sequence[Result],
+    views: dict[str, list[View]],
     out: Path,
     formats: Collection[str],
     *,
     title: str | None,
     paper: Paper,
     spoken: str,
-    pdfs: Sequence[bytes | None] = (),
 ) -> list[Path]:
+    """Write each format; views of a language that are missing are made, and stay in `views`."""
     written = []
-    views: dict[str, list[View]] = {}
     for name in checked(formats):
         made = report_format(name)
         file = made.FILE if title is None else made.SUITE_FILE
@@ -137,8 +169,6 @@ def _write(  # what a format takes
         code = spoken if made.TRANSLATED else ENGLISH
         if code not in views:
             views[code] = unique_views(results, code)
-            if code == spoken and pdfs:
-                views[code] = [replace(view, pdf=pdf) for view, pdf in zip(views[code], pdfs, strict=True)]
         try:
             content = made.write(views[code], title=title, paper=paper)
         except MissingPartError as error:

@@ -14,7 +14,7 @@ from certkit.errors import UsageError
 from certkit.exchange.channels_csv import channels_csv
 from certkit.reporting.junit import junit
 from certkit.reporting.markdown import github_annotations, summary
-from certkit.reporting.result_view import unique_views
+from certkit.reporting.result_view import View, unique_views
 from certkit.reporting.writing import render, render_suite
 
 
@@ -115,6 +115,29 @@ def test_render_writes_the_files_of_the_contract(bending: Result, tmp_path: Path
 def test_render_suite_writes_the_index_and_one_bound_pdf(bending: Result, pendulum: Result, tmp_path: Path):
     written = render_suite([bending, pendulum], tmp_path, ["html", "pdf", "junit", "csv"])
     assert {path.name for path in written} == {"index.html", "suite.pdf", "junit.xml"}
+
+
+def test_what_was_shown_of_each_result_is_shown_again_of_all(
+    bending: Result, pendulum: Result, tmp_path: Path
+):
+    shown: dict[str, list[View]] = {}
+    for result in (bending, pendulum):
+        render(result.as_written(), tmp_path / result.procedure, ["html", "junit"], shown=shown)
+    render_suite([bending, pendulum], tmp_path / "again", ["html", "junit"], shown=shown)
+    render_suite([bending, pendulum], tmp_path / "anew", ["html", "junit"])
+    assert [view.document.id for view in shown["en"]] == [bending.id, pendulum.id]
+    for name in ("index.html", "junit.xml"):
+        assert (tmp_path / "again" / name).read_bytes() == (tmp_path / "anew" / name).read_bytes()
+
+
+def test_views_of_one_procedure_run_twice_are_made_anew_since_their_keys_are_alike(
+    pendulum: Result, tmp_path: Path
+):
+    shown: dict[str, list[View]] = {}
+    for _ in range(2):
+        render(pendulum.as_written(), tmp_path / "one", ["html"], shown=shown)
+    render_suite([pendulum, pendulum], tmp_path / "again", ["html"], shown=shown)
+    assert 'id="pendulum-2"' in (tmp_path / "again" / "index.html").read_text()
 
 
 def test_an_unknown_format_is_refused_before_anything_is_written(bending: Result, tmp_path: Path):
