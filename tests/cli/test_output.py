@@ -42,12 +42,12 @@ def test_all_procedures_write_every_file_of_the_contract_twice_the_same(
     for name in PROCEDURES:
         folder = tmp_path / "one" / name
         assert {path.name for path in folder.iterdir()} >= FILES
-        jsonschema.validate(json.loads((folder / "result.json").read_text()), schema)
+        jsonschema.validate(json.loads((folder / "result.json").read_text("utf-8")), schema)
     certkit("run", "--all", "--out", "two")
     for name in PROCEDURES:
         one, two = tmp_path / "one" / name, tmp_path / "two" / name
-        assert _without_clock((one / "result.json").read_text()) == _without_clock(
-            (two / "result.json").read_text()
+        assert _without_clock((one / "result.json").read_text("utf-8")) == _without_clock(
+            (two / "result.json").read_text("utf-8")
         )
         assert (one / "channels.csv").read_bytes() == (two / "channels.csv").read_bytes()
         assert (one / "junit.xml").read_bytes() == (two / "junit.xml").read_bytes()
@@ -56,7 +56,7 @@ def test_all_procedures_write_every_file_of_the_contract_twice_the_same(
 def test_standard_output_is_the_document_alone_with_json(certkit: Command, tmp_path: Path) -> None:
     done = certkit("run", "--procedure", "static-tibia", "--json", "--format", "junit")
     assert json.loads(done.stdout)["schema"] == "certkit-result/1"
-    assert (tmp_path / "runs" / "static-tibia" / "result.json").read_text() == done.stdout
+    assert (tmp_path / "runs" / "static-tibia" / "result.json").read_text("utf-8") == done.stdout
 
 
 @pytest.mark.pdf

@@ -18,10 +18,12 @@ TESTS = Path(__file__).parents[1]
 WORLD = TESTS / "support" / "windows_like"
 PARTS = (
     "bench/test_result_folder.py",
+    "definitions/loading/test_old_forms.py",
+    "exchange/test_channels_csv.py",
     "exchange/test_spreadsheets.py",
     "studies/test_runs.py::test_two_processes_give_the_bits_of_one",
 )
-"""Tests that meet files, folders, locks, tables of spreadsheets, and worker processes."""
+"""Tests that meet files, folders, locks, definitions, tables, and worker processes."""
 
 
 def there(tmp_path: Path) -> dict[str, str]:

@@ -23,7 +23,7 @@ def listed_springs(folder: Path) -> Path:
     head, _, springs = text.partition("\nsprings:\n")
     old = re.sub(r"^  [^#{\n]+: \{between", "  - {between", springs, flags=re.MULTILINE)
     path = folder / "saloon.yaml"
-    path.write_text(f"{head}\nconnections:\n{old}")
+    path.write_text(f"{head}\nconnections:\n{old}", "utf-8")
     return path
 
 
@@ -64,9 +64,11 @@ def test_old_paths_fit_old_files(tmp_path: Path):
 
 def test_a_fault_in_an_old_file_has_its_place(tmp_path: Path):
     path = listed_springs(tmp_path)
-    path.write_text(path.read_text().replace("[22 mm, 1540 N]", "[22 mm, 1540 kg]", 1))
+    path.write_text(path.read_text("utf-8").replace("[22 mm, 1540 N]", "[22 mm, 1540 kg]", 1), "utf-8")
     line = (
-        path.read_text().split("\n").index(next(r for r in path.read_text().split("\n") if "1540 kg" in r))
+        path.read_text("utf-8")
+        .split("\n")
+        .index(next(r for r in path.read_text("utf-8").split("\n") if "1540 kg" in r))
         + 1
     )
     with pytest.warns(OldFormWarning):
