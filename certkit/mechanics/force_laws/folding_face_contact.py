@@ -6,8 +6,9 @@ where the leg presses wanders over a group, and from group to group, as the face
 another strip, or a flange behind the face, only the one in front is met. Force on a strip as in
 `face_contact`.
 
-What the outline's own change takes up, contact force times the strip's movement against its group, is counted
-as dissipated: it is work on the folding face.
+A load beside the edge of two groups is on both of them, in the strip's share. What the outline's own change
+takes up, contact force times the strip's movement against its group, and what the two groups move against
+each other, is counted as dissipated: it is work on the folding face.
 
 Source: step 4 of the seed paper (section 3) measures the front that the leg bends to; the outline says where
 that front is.
@@ -33,6 +34,9 @@ def _place(strip: FoldingFaceContact, now: Instant) -> None:
     """Write down where the strip stands now, how high it is, and what of that is its own change."""
     moved = now.pose[strip.group].x - strip.rest
     strip.largest = max(strip.largest, moved)
+    apart = now.pose[strip.group].x - now.pose[strip.partner].x
+    strip.parting = apart - strip.apart
+    strip.apart = apart
     x = on_path(now.curves, strip, 0, moved, strip.largest)
     z = on_path(now.curves, strip, 1, moved, strip.largest)
     strip.shift, strip.climb = x - strip.x, z - strip.z
@@ -64,7 +68,10 @@ class FoldingFaceContact(ForceLaw):
 
     Parameters
     ----------
-    group : Body
+    group, partner : Body
+        What it moves with, and what its load is shared with.
+    share : float
+        Of the partner in the load.
     rest : float
         Where the group's body stands before it is moved, m.
     in_start, in_points, back_start, back_points : int
@@ -77,6 +84,8 @@ class FoldingFaceContact(ForceLaw):
         μ.
     depth, force : State
         d (m) and F (N) now.
+    apart, parting : State
+        How far the group stands before its partner, and by how much more than a step ago, m.
     largest : State
         Largest displacement of the group so far, m.
     x, z : State
@@ -88,6 +97,8 @@ class FoldingFaceContact(ForceLaw):
     """
 
     group: Body
+    partner: Body
+    share: float
     rest: float
     in_start: int
     in_points: int
@@ -103,6 +114,8 @@ class FoldingFaceContact(ForceLaw):
     friction: float
     depth: State = 0.0
     force: State = 0.0
+    apart: State = 0.0
+    parting: State = 0.0
     largest: State = 0.0
     x: State = 0.0
     z: State = 0.0
@@ -158,8 +171,10 @@ class FoldingFaceContact(ForceLaw):
                 strip.friction,
             )
             if before > 0.0 and force > 0.0:
-                totals.dissipated += 0.5 * (before + force) * (shift - by_height * climb)
+                given = shift - by_height * climb + strip.share * strip.parting
+                totals.dissipated += 0.5 * (before + force) * given
                 totals.dissipated -= energy / height * growth if height > 0.0 else 0.0
-            load[strip.group].x += force
+            load[strip.group].x += (1.0 - strip.share) * force
+            load[strip.partner].x += strip.share * force
             strip.depth = depth
             strip.force = force

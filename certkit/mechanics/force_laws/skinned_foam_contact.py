@@ -46,6 +46,9 @@ def _place(strip: SkinnedFoamContact, now: Instant) -> None:
     moved = (1.0 - strip.share) * now.pose[strip.lower].x + strip.share * now.pose[strip.upper].x
     moved -= strip.rest
     strip.largest = max(strip.largest, moved)
+    apart = now.pose[strip.lower].x - now.pose[strip.upper].x
+    strip.parting = apart - strip.apart
+    strip.apart = apart
     x = on_path(now.curves, strip, 0, moved, strip.largest)
     z = on_path(now.curves, strip, 1, moved, strip.largest)
     strip.shift, strip.climb = x - strip.x, z - strip.z
@@ -143,8 +146,8 @@ def _load_leg(
     load[body].torque -= rub * arm
     totals.power += rub * slip
     totals.force += force
-    load[strip.lower].x += (1.0 - strip.share) * force
-    load[strip.upper].x += strip.share * force
+    load[strip.lower].x += (1.0 - strip.load_share) * force
+    load[strip.upper].x += strip.load_share * force
     return by_height
 
 
@@ -158,6 +161,9 @@ class SkinnedFoamContact(ForceLaw):
         The groups that the strip moves with; the ground where it stands still.
     share : float
         Of the upper group in the strip's motion.
+    load_share : float
+        Of the upper group in its load. Where that is another share than in its motion, what the groups move
+        against each other takes up work.
     rest : float
         Where the groups' bodies stand before they are moved, in these shares, m.
     in_start, in_points, back_start, back_points : int
@@ -186,6 +192,8 @@ class SkinnedFoamContact(ForceLaw):
         Derivative of the foam's energy by the cosine, J.
     leaned, gripped : State
         Cosine, and what the leg's ends and tilt leave, a step ago.
+    apart, parting : State
+        How far the lower group stands before the upper one, and by how much more than a step ago, m.
     largest, x, z, face, shift, climb : State
         As in `FoldingFaceContact`, m.
     height, size, grip, cosine : State
@@ -204,6 +212,7 @@ class SkinnedFoamContact(ForceLaw):
     lower: Body
     upper: Body
     share: float
+    load_share: float
     rest: float
     in_start: int
     in_points: int
@@ -225,6 +234,8 @@ class SkinnedFoamContact(ForceLaw):
     force: State = 0.0
     pressed: State = 0.0
     most: State = 0.0
+    apart: State = 0.0
+    parting: State = 0.0
     largest: State = 0.0
     x: State = 0.0
     z: State = 0.0
@@ -276,6 +287,7 @@ class SkinnedFoamContact(ForceLaw):
             strip.by_cosine = by_cosine
             felt = 0.5 * (strip.felt + strip.force)
             lost += felt * (strip.pressed - strip.before + strip.shift - by_height * strip.climb)
+            lost += felt * (strip.load_share - strip.share) * strip.parting
             if k < count - 1:
                 _, _, energy = link_below(strips, k)
                 stored += energy

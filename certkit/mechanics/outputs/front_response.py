@@ -37,8 +37,11 @@ def front_response(rig: RigAssembly, run: Trajectory, readings: Mapping[str, Flo
         for name, share in ((strip.lower, 1 - strip.share), (strip.upper, strip.share)):
             if share > 0:
                 contact[name] = contact.get(name, 0.0) + share * force
-    for k, name in enumerate(rig.front.folding):
-        contact[name] = contact.get(name, 0.0) + readings[f"folding strip {k} force"][first:]
+    for k, (group, partner, of_partner) in enumerate(rig.front.folding):
+        force = readings[f"folding strip {k} force"][first:]
+        for name, share in ((group, 1 - of_partner), (partner, of_partner)):
+            if share > 0:
+                contact[name] = contact.get(name, 0.0) + share * force
     touched = {name: force for name, force in contact.items() if force.max() > 0}
     offset = run.tracks.shape[1] - len(rig.front.groups)
     displacement = {

@@ -64,7 +64,7 @@ def build_front(
     for name, group in vehicle.groups.items():
         _draw_face(rig, bodies[name], assembly.centre(bodies[name]), name, group, start, ground)
     names = tuple(link.name for link in links)
-    return FrontModel(bodies, tuple(strips), names, tuple(s.group for s in folding))
+    return FrontModel(bodies, tuple(strips), names, tuple((s.group, s.partner, s.share) for s in folding))
 
 
 def _touching(rig: RigBuilder, places: list[tuple[float, float]], angle: float) -> float:
@@ -101,6 +101,7 @@ def _add_faces(
                 lower=lower,
                 upper=upper,
                 share=strip.share,
+                load_share=strip.share,
                 rest=moved,
                 friction=front.friction,
                 order=number,
@@ -132,13 +133,14 @@ def _add_folding_faces(
     layer = rig.flesh_layer() if foam is None else {}
     for number, strip in enumerate(strips):
         pushed = strip.pushed + np.array([start, 0.0, 0.0])
-        group = front.bodies[strip.group]
+        group, partner = front.bodies[strip.group], front.bodies[strip.partner]
         if foam is not None:
             row = rig.add_force(
                 "skinned foam contact",
                 lower=group,
-                upper=group,
+                upper=partner,
                 share=0.0,
+                load_share=strip.share,
                 rest=assembly.centre(group)[0],
                 friction=front.friction,
                 order=number,
@@ -150,6 +152,8 @@ def _add_folding_faces(
         row = rig.add_force(
             "folding face contact",
             group=group,
+            partner=partner,
+            share=strip.share,
             rest=assembly.centre(group)[0],
             thickness=rig.cover,
             friction=front.friction,

@@ -144,20 +144,23 @@ def test_a_sheet_law_repeats_a_force_that_is_no_function_of_the_shortening() -> 
     assert all(np.ptp(forces) > 300 for forces in meets)  # one shortening, many forces
 
 
-def struck(shift: float, *behind: float) -> Trajectory:
+def struck(shift: float, *behind: float, share: float = 0.0) -> Trajectory:
     """Throw an upright body with flesh at a face on a mass; its outline shifts as it is pushed in.
 
-    Further strips of the same height may stand behind the first, m.
+    Further strips of the same height may stand behind the first, m; another mass may share the load.
     """
     assembly = Assembly()
     leg = assembly.add_body("leg", 5.0, 0.1, (0.0, 0.0, 0.0), speed=(5.0, 0.0, 0.0))
     face = assembly.add_body("face", 1.0, 0.0, (0.0, 0.0, 0.0), guided=True)
+    other = assembly.add_body("other", 2.0, 0.0, (0.0, 0.0, 0.0), guided=True)
     assembly.add_outline(OutlinePiece(body=leg, top=0.2, bottom=-0.2, face=0.0, width=0.05))
     for back in (0.0, *behind):
         places = np.array([[0.031 + back, 0.0, 0.05], [0.031 + back + shift, 0.0, 0.05]])
         assembly.add(
             FoldingFaceContact(
                 group=face,
+                partner=other,
+                share=share,
                 rest=0.0,
                 compression=1e6,
                 layer=math.inf,
@@ -170,7 +173,7 @@ def struck(shift: float, *behind: float) -> Trajectory:
                 **add_path(assembly, (np.array([0.0, 0.02]), places), (np.array([1.0]), np.zeros((1, 3)))),
             )
         )
-    return run_world(assembly.finish(), Plan(STEP, 0.02, 0.0), tracked=[leg, face])
+    return run_world(assembly.finish(), Plan(STEP, 0.02, 0.0), tracked=[leg, face, other])
 
 
 @pytest.mark.parametrize("shift", [0.0, 0.01])
@@ -187,6 +190,16 @@ def test_what_a_face_gives_way_by_its_own_folding_is_counted(shift: float) -> No
     total = run.kinetic + run.stored.sum(axis=1) + run.dissipated.sum(axis=1)
     assert np.abs(total - total[0]).max() < 0.005 * total[0]
     assert (run.dissipated[-1].sum() > 0.5) == (shift > 0)
+
+
+def test_a_load_on_the_edge_of_two_groups_is_on_both_and_its_work_is_counted() -> None:
+    run = struck(0.0, share=0.4)
+    leg, face, other = (np.gradient(run.tracks[:, k, 0], STEP)[-10] for k in range(3))
+    assert 5.0 * leg + face + 2.0 * other == pytest.approx(25.0, rel=1e-3)
+    assert 2.0 * other == pytest.approx(0.4 / 0.6 * face, rel=1e-3)
+    total = run.kinetic + run.stored.sum(axis=1) + run.dissipated.sum(axis=1)
+    assert np.abs(total - total[0]).max() < 0.005 * total[0]
+    assert run.dissipated[-1].sum() > 0.5
 
 
 def test_a_strip_behind_another_is_not_met() -> None:

@@ -48,6 +48,7 @@ def struck(
                 lower=bodies[-1] if free else GROUND,
                 upper=bodies[-1] if free else GROUND,
                 share=0.0,
+                load_share=0.0,
                 rest=0.0,
                 foam_start=start,
                 foam_points=points,
