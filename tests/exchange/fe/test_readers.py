@@ -42,7 +42,7 @@ def test_every_format_tells_the_same_momentum(native: PartHistories, case: str, 
     assert np.allclose(other.time, native.time, atol=1e-8)
     wanted = native.part(part).momentum
     assert wanted is not None
-    assert np.abs(other.part(part).momentum - wanted).max() < 1e-4 * np.abs(wanted).max()
+    assert np.abs(other.part(part).momentum - wanted).max() < 1e-6 * np.abs(wanted).max()
 
 
 @pytest.mark.parametrize("contact", ["impactor-fascia", "fascia-foam", "foam-beam"])
@@ -51,7 +51,7 @@ def test_every_format_tells_the_same_contact_impulse_but_for_its_sign(
     native: PartHistories, case: str, contact: str
 ) -> None:
     wanted = np.abs(native.contact(contact).impulse)
-    assert np.abs(np.abs(histories(case).contact(contact).impulse) - wanted).max() < 1e-4 * wanted.max()
+    assert np.abs(np.abs(histories(case).contact(contact).impulse) - wanted).max() < 1e-6 * wanted.max()
 
 
 def test_a_rigid_body_has_the_momentum_of_its_main_node(native: PartHistories) -> None:
