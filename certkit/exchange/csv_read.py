@@ -29,7 +29,7 @@ from certkit.exchange.samples import read_samples, read_with_gaps
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import TimeBase, base_of_times
 from certkit.files.bounded import read_bounded
-from certkit.signals.clipping import find_clipping
+from certkit.signals.clipping import beyond_class, find_clipping
 from certkit.signals.recording import Channel, Recording
 
 if TYPE_CHECKING:
@@ -222,6 +222,13 @@ def _channel(table: CsvTable, kind: ChannelKind, column: Column, values: NDArray
         raise DataError(
             f"{table.place}:{line}: {name} is clipped at its amplitude class "
             f"{column.amplitude_class}; the peak is lost: leave the channel out, or repeat the test"
+        )
+    over = beyond_class(values, limit) if limit else None
+    if over is not None:
+        raise DataError(
+            f"{table.place}:{table.body.first + over.index}: {name} goes beyond its amplitude class "
+            f"{column.amplitude_class}; nothing vouches for it there: correct the class, or leave the channel "
+            "out"
         )
     filtered = "" if column.filter == "none" else column.filter
     return Channel(name, kind.title, kind.dimension, values, filtered=filtered)

@@ -12,7 +12,7 @@ from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.samples import Lines, read_samples
 from certkit.exchange.timebase import TimeBase
 from certkit.files.limits import MAX_SAMPLES
-from certkit.signals.clipping import find_clipping
+from certkit.signals.clipping import beyond_class, find_clipping
 
 if TYPE_CHECKING:
     import numpy as np
@@ -254,4 +254,12 @@ def _check_clipping(header: Header, values: NDArray[np.float64], unit: str, kind
         raise DataError(
             f"{header.place}:{header.end + clipped.index + 1}: clipped at {shown}, the channel's amplitude "
             f"class (line {stated.number}); the peak is lost: leave the channel out, or repeat the test"
+        )
+    over = beyond_class(values, limit) if limit else None
+    if over is not None:
+        shown = f"{over.level / factor(unit, kind):g} {unit}"
+        raise DataError(
+            f"{header.place}:{header.end + over.index + 1}: goes to {shown}, beyond the channel's amplitude "
+            f"class (line {stated.number}); nothing vouches for it there: correct the class, or leave the "
+            "channel out"
         )
