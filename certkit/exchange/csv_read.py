@@ -227,7 +227,7 @@ def _channel(table: CsvTable, kind: ChannelKind, column: Column, values: NDArray
     if over is not None:
         raise DataError(
             f"{table.place}:{table.body.first + over.index}: {name} goes beyond its amplitude class "
-            f"{column.amplitude_class}; nothing vouches for it there: correct the class, or leave the channel "
+            f"{column.amplitude_class}; nothing vouches for it there: correct the class, or leave it "
             "out"
         )
     filtered = "" if column.filter == "none" else column.filter
