@@ -74,7 +74,7 @@ def path_laws(
 
 
 def _sheet(flow: Flow, fit: SpringFit | None, steps: FirstSteps) -> SheetLaw | None:
-    """Find a sheet's law: between two faces of one kind, or where a link of a face is no spring."""
+    """Find a sheet's law: between two faces of one kind, or where a link of a fascia is no spring."""
     link = flow.link
     if link.target == GROUND:
         return None
@@ -82,7 +82,7 @@ def _sheet(flow: Flow, fit: SpringFit | None, steps: FirstSteps) -> SheetLaw | N
     one_sheet = link.tension and len(kinds) == 1 and kinds <= SHEETS
     if not one_sheet and (fit is None or _is_spring(fit, tension=link.tension)):
         return None
-    if not one_sheet and not link.tension and not kinds & SHEETS:
+    if not one_sheet and not link.tension and "fascia" not in kinds:
         return None
     first, second = steps.displacements[link.source], steps.displacements[link.target]
     masses = (steps.masses[link.source], steps.masses[link.target])
@@ -97,7 +97,7 @@ def _is_spring(fit: SpringFit, *, tension: bool) -> bool:
         return False
     if tension:
         return True
-    force = np.array(fit.law.force)
+    force = np.array(fit.law.force)[:-1]  # the last point continues the curve beyond what was seen
     return float(np.sum(np.maximum(-np.diff(force), 0.0))) <= MOST_FALL * float(np.max(np.abs(force)))
 
 
