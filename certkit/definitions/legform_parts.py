@@ -143,6 +143,10 @@ class FleshFoam(Section):
     reversal_speed: Annotated[
         Speed | None, Field(description="At which that friction turns; 1 m/s when missing.")
     ] = None
+    recovery: Annotated[
+        Length | None,
+        Field(description="Way of new loading over which it forgets its memory; never when missing."),
+    ] = None
     shear_modulus: Annotated[Pressure, Field(description="By which places take their surroundings along.")]
     skin_modulus: Annotated[Pressure, Field(description="Young's modulus of the skin.")]
     skin_thickness: Length

@@ -5,8 +5,9 @@ continued with its last slope, with the work W(d) = ∫p dd. It knows the larges
 
     q = p·(H + (1 - H)·(W/Wₘ)ˢ)        below it, and q = p on the way there
 
-with the hysteresis factor H and the shape s. The speed has no influence. What it gives back from d on is
-S = W·(H + (1 - H)·(W/Wₘ)ˢ/(s + 1)).
+with the hysteresis factor H and the shape s. The speed has no influence. Loaded again from W on it may forget:
+Wₘ - W then falls off as exp(-Δd/r) over the recovery r, so that p is reached again. What it gives back from d
+on is S = W·(H + (1 - H)·(W/Wₘ)ˢ/(s + 1)).
 
 Skin. Places of the layer do not move alone. Over a slope g = du/dz of the pressed depth u the layer hands on
 

@@ -176,6 +176,8 @@ class SkinnedFoamContact(ForceLaw):
         H, s, N and A, see `foam_layer`.
     loss, reversal : float
         λ and v: share by which internal friction adds to the foam's force, see `flesh_compression`.
+    recovery : float
+        r, m: see `foam_layer`; 0 where the foam's memory stays.
     thickness : float
         Of the flesh in front of the bone, m.
     friction : float
@@ -225,6 +227,7 @@ class SkinnedFoamContact(ForceLaw):
     shape: float
     loss: float
     reversal: float
+    recovery: float
     shear: float
     skin: float
     thickness: float
@@ -278,7 +281,11 @@ class SkinnedFoamContact(ForceLaw):
         for k in range(count):
             strip = strips[strips[k].chain]
             press, _, stored, work = foam_of(strip, now)
-            strip.most = max(strip.most, work)
+            grown = (strip.pressed - strip.before) * strip.cosine
+            if work >= strip.most:
+                strip.most = work
+            elif strip.recovery > 0.0 and grown > 0.0:
+                strip.most = work + (strip.most - work) * math.exp(-grown / strip.recovery)
             by_cosine = (press * strip.pressed - stored) / strip.cosine
             by_height = _load_leg(strip, now, load, totals, stored, by_cosine)
             # What the leg's turning and ends take from the foam is no loss.

@@ -7,9 +7,11 @@ import math
 import numpy as np
 import pytest
 
+from certkit.mechanics.force_laws import LAWS
 from certkit.mechanics.force_laws.law import OutlinePiece
+from certkit.mechanics.force_laws.recorded_contact import RecordedContact
 from certkit.mechanics.force_laws.skinned_foam_contact import SkinnedFoamContact
-from certkit.mechanics.rig.recorded_tables import add_path
+from certkit.mechanics.rig.recorded_tables import add_path, add_tables
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
 from certkit.mechanics.solver.world import GROUND, Assembly
 
@@ -41,7 +43,15 @@ def struck(
     if free:
         bodies.append(assembly.add_body("face", free, 0.0, (0.0, 0.0, 0.0), guided=True))
     start, points = assembly.add_curve(list(curve))
-    law = {"hysteresis": 1.0, "shape": 1.0, "loss": 0.0, "reversal": 1.0, "shear": 0.0, "skin": 0.0} | foam
+    law = {
+        "hysteresis": 1.0,
+        "shape": 1.0,
+        "loss": 0.0,
+        "reversal": 1.0,
+        "recovery": 0.0,
+        "shear": 0.0,
+        "skin": 0.0,
+    } | foam
     for number, (gap, z, height) in enumerate(faces):
         assembly.add(
             SkinnedFoamContact(
@@ -137,3 +147,51 @@ def test_what_foam_gives_back_is_the_closed_form_of_its_memory() -> None:
     speed = np.gradient(run.tracks[:, 0, 0], STEP)
     returned = hysteresis + (1 - hysteresis) / (shape + 1)
     assert (speed[-10] / speed[10]) ** 2 == pytest.approx(returned, rel=0.01)
+
+
+def test_an_elastic_foam_loses_nothing_while_the_leg_turns() -> None:
+    strips = [(0.002 + 0.002 * math.sin(40 * z), z, h) for _, z, h in row(0.006, 0.1)]
+    run = struck(strips, spin=6.0, shear=675.0, skin=2700.0, until=0.01)
+    assert run.kinetic[-1] < 0.9 * run.kinetic[0]
+    assert abs(run.dissipated[-1].sum()) < 1e-3 * run.kinetic[0]
+
+
+@pytest.mark.parametrize("recovery", [0.0, 1e-4])
+def test_foam_that_forgets_loses_in_a_second_blow_what_it_lost_in_the_first(recovery: float) -> None:
+    """A mass pushed twice against foam on a heavy leg, pulled back between."""
+    assembly = Assembly()
+    leg = assembly.add_body("leg", 1e6, 1e6, (0.0, 0.0, 0.0))
+    face = assembly.add_body("face", 0.05, 0.0, (0.0, 0.0, 0.0), guided=True, damping=100.0)
+    assembly.add_outline(OutlinePiece(body=leg, top=0.2, bottom=-0.2, face=0.0, width=0.09))
+    start, points = assembly.add_curve([(0.0, 0.0), (0.01, 1e-2 * FOUNDATION)])
+    assembly.add(
+        SkinnedFoamContact(
+            lower=face,
+            upper=face,
+            share=0.0,
+            rest=0.0,
+            foam_start=start,
+            foam_points=points,
+            layer=0.03,
+            thickness=0.03,
+            friction=0.0,
+            order=0,
+            hysteresis=0.3,
+            shape=5.0,
+            loss=0.0,
+            reversal=1.0,
+            recovery=recovery,
+            shear=0.0,
+            skin=0.0,
+            **add_path(assembly, (np.zeros(1), np.array([[0.03, 0.0, 0.05]])), STILL),
+        )
+    )
+    time = np.arange(0.0, 0.1, 1e-4)
+    force = -300.0 * (1.0 - np.cos(2 * math.pi * time / 0.05))
+    where, count = add_tables(assembly, time, np.column_stack([force, np.zeros_like(time)]))
+    assembly.add(RecordedContact(group=face, start=where, points=count, on_leg=0, thickness=0.0))
+    run = run_world(assembly.finish(), Plan(STEP, 0.1, 0.0), tracked=[leg, face])
+    lost = run.dissipated[:, LAWS.index(SkinnedFoamContact)]
+    first, both = lost[len(lost) // 2], lost[-1]
+    assert first > 0.1
+    assert both == pytest.approx((2 if recovery else 1) * first, rel=0.2)
