@@ -5,7 +5,7 @@ continued with its last slope, with the work W(d) = ∫p dd. It knows the larges
 
     q = p·(H + (1 - H)·(W/Wₘ)ˢ)        below it, and q = p on the way there
 
-with the hysteresis factor H and the shape s. The speed has no influence. Loaded again from W on it may forget:
+with the hysteresis factor H and the shape s. Speed has no influence. Loaded again from W on it may forget:
 Wₘ - W then falls off as exp(-Δd/r) over the recovery r, so that p is reached again. What it gives back from d
 on is S = W·(H + (1 - H)·(W/Wₘ)ˢ/(s + 1)).
 
