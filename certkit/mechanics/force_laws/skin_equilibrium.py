@@ -13,6 +13,7 @@ Source: the obstacle problem of a membrane on a foundation, solved by a primal-d
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Protocol
 
 from certkit.mechanics.compiling import compiled
@@ -39,6 +40,7 @@ class SkinStrip(Protocol):
     shape: float
     loss: float
     reversal: float
+    recovery: float
     shear: float
     skin: float
     order: int
@@ -99,6 +101,16 @@ def foam_of(strip: SkinStrip, now: Instant) -> tuple[float, float, float, float]
         slope += force * (strip.loss - share * share / strip.loss) / turn / strip.cosine
         force *= 1.0 + share
     return strip.size * force, strip.size * slope * strip.cosine, strip.size * stored / strip.cosine, work
+
+
+@compiled
+def remember(strip: SkinStrip, work: float) -> None:
+    """Write down the largest work, of which loading that comes again forgets what is beyond its own."""
+    grown = (strip.pressed - strip.before) * strip.cosine
+    if work >= strip.most:
+        strip.most = work
+    elif strip.recovery > 0.0 and grown > 0.0:
+        strip.most = work + (strip.most - work) * math.exp(-grown / strip.recovery)
 
 
 @compiled

@@ -34,7 +34,7 @@ from certkit.mechanics.force_laws.face_contact import (
 from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
 from certkit.mechanics.force_laws.leg_outline import surface_at
 from certkit.mechanics.force_laws.recorded_path import on_path
-from certkit.mechanics.force_laws.skin_equilibrium import foam_of, line_up, link_below, press_skin
+from certkit.mechanics.force_laws.skin_equilibrium import foam_of, line_up, link_below, press_skin, remember
 
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
@@ -281,11 +281,7 @@ class SkinnedFoamContact(ForceLaw):
         for k in range(count):
             strip = strips[strips[k].chain]
             press, _, stored, work = foam_of(strip, now)
-            grown = (strip.pressed - strip.before) * strip.cosine
-            if work >= strip.most:
-                strip.most = work
-            elif strip.recovery > 0.0 and grown > 0.0:
-                strip.most = work + (strip.most - work) * math.exp(-grown / strip.recovery)
+            remember(strip, work)
             by_cosine = (press * strip.pressed - stored) / strip.cosine
             by_height = _load_leg(strip, now, load, totals, stored, by_cosine)
             # What the leg's turning and ends take from the foam is no loss.
