@@ -6,10 +6,9 @@ and the neighbours press back with (`foam_layer`) is the contact force
 
     R = h·q(u·cos θ) + Σ Q(neighbours) ≥ 0,  and R = 0 wherever u > D
 
-h is the strip's height that no other strip stands in front of. So a crest takes its surroundings with it, and
-no skin is pressed deeper than the strips and the layer's stiffness ask for. The skin has no inertia: u is in
-equilibrium at every step. Neighbours are the strips that are met, by their height; flesh beside all strips
-presses on nothing.
+h is the strip's height that no other strip stands in front of. So a crest takes its surroundings with it. The
+skin has no inertia: u is in equilibrium at every step. Neighbours are the strips that are met, by their height;
+flesh beside all strips presses on nothing.
 
 What the foam does not give back, and what the outline's own change takes up, counts as dissipated.
 """
@@ -43,8 +42,7 @@ if TYPE_CHECKING:
 @compiled
 def _place(strip: SkinnedFoamContact, now: Instant) -> None:
     """Write down where the strip stands now, how high it is, and what of that is its own change."""
-    moved = (1.0 - strip.share) * now.pose[strip.lower].x + strip.share * now.pose[strip.upper].x
-    moved -= strip.rest
+    moved = (1.0 - strip.share) * now.pose[strip.lower].x + strip.share * now.pose[strip.upper].x - strip.rest
     strip.largest = max(strip.largest, moved)
     apart = now.pose[strip.lower].x - now.pose[strip.upper].x
     strip.parting = apart - strip.apart
@@ -108,7 +106,7 @@ def _load_leg(
 ) -> float:
     """Press a strip's force on the leg and its groups; return how the depth grows with the strip's height.
 
-    As `face_contact.press_strip` does; `stored` is the foam's energy (J), `by_cosine` its derivative.
+    As `face_contact.press_strip`; `stored` is the foam's energy (J), `by_cosine` its derivative.
     """
     piece, z, force = strip.piece, strip.z, strip.force
     upper, lower, weight = pieces_sharing(now, piece, z)
