@@ -7,7 +7,7 @@ and the neighbours press back with (`foam_layer`) is the contact force
     R = h·q(u·cos θ) + Σ Q(neighbours) ≥ 0,  and R = 0 wherever u > D
 
 h is the strip's height that no other strip stands in front of. So a crest takes its surroundings with it. The
-skin has no inertia: u is in equilibrium at every step. Neighbours are the strips that are met, by their height;
+skin has no inertia: u is in equilibrium at every step. Neighbours are the strips that are met, by height;
 flesh beside all strips presses on nothing.
 
 What the foam does not give back, and what the outline's own change takes up, counts as dissipated.
