@@ -169,6 +169,7 @@ def test_foam_that_forgets_loses_in_a_second_blow_what_it_lost_in_the_first(reco
             lower=face,
             upper=face,
             share=0.0,
+            load_share=0.0,
             rest=0.0,
             foam_start=start,
             foam_points=points,
