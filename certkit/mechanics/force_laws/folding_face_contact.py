@@ -94,6 +94,8 @@ class FoldingFaceContact(ForceLaw):
         Where it stands, how high it is, and how much of that no other strip stands in front of, m.
     shift, climb, growth : State
         How much x, z and height have changed with the outline since the step before, m.
+    density : State
+        Energy stored over height now, J/m.
     """
 
     group: Body
@@ -125,6 +127,7 @@ class FoldingFaceContact(ForceLaw):
     shift: State = 0.0
     climb: State = 0.0
     growth: State = 0.0
+    density: State = 0.0
 
     @staticmethod
     @compiled
@@ -173,7 +176,10 @@ class FoldingFaceContact(ForceLaw):
             if before > 0.0 and force > 0.0:
                 given = shift - by_height * climb + strip.share * strip.parting
                 totals.dissipated += 0.5 * (before + force) * given
-                totals.dissipated -= energy / height * growth if height > 0.0 else 0.0
+            density = energy / height if height > 0.0 else strip.density
+            last = strip.density if height > growth else density  # it was not to be seen before
+            totals.dissipated -= 0.5 * (density + last) * growth
+            strip.density = density
             load[strip.group].x += (1.0 - strip.share) * force
             load[strip.partner].x += strip.share * force
             strip.depth = depth
