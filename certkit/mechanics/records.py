@@ -30,6 +30,9 @@ Body: TypeAlias = int
 State: TypeAlias = float
 """A field that the law itself writes: its history variables, and what is read off it for channels."""
 
+_TYPES: dict[type[Record], np.dtype[np.void]] = {}
+"""What `record_type` has made: every run asks for it hundreds of times."""
+
 _FORMATS = {"float": "f8", "State": "f8", "int": "i8", "Body": "i8"}
 
 T = TypeVar("T")
@@ -53,12 +56,14 @@ def record_type(record: type[Record]) -> np.dtype[np.void]:
     TypeError
         When a field is of another type.
     """
+    if record in _TYPES:
+        return _TYPES[record]
     found = []
     for field in fields(record):  # type: ignore[arg-type]  # every record is a dataclass
         if field.type not in _FORMATS:
             raise TypeError(f"{record.__name__}.{field.name} must be one of {', '.join(_FORMATS)}")
         found.append((field.name, _FORMATS[str(field.type)]))
-    return np.dtype(found, align=True)
+    return _TYPES.setdefault(record, np.dtype(found, align=True))
 
 
 def body_fields(record: type[Record]) -> tuple[str, ...]:

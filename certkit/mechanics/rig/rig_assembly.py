@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
-from inspect import signature
+from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, TypeVar
 
 from certkit.definitions.fixtures.rig_builder import GRAVITY, GROUND, LawRow, RigBuilder
@@ -145,7 +144,7 @@ class RigAssembly(RigBuilder):
     def add_force(self, law: str, **values: float) -> LawRow:
         """Let a force law act, with its parameters by name."""
         kind = _law(law)
-        known = signature(kind).parameters
+        known = _PARAMETERS[kind]
         if unknown := sorted(set(values) - set(known)):
             said = ", ".join(f"`{name}`" for name in known)
             raise RunError(f"the force law `{law}` has no `{unknown[0]}`; its parameters are {said}")
@@ -212,9 +211,12 @@ class RigAssembly(RigBuilder):
             )
 
 
+_LAWS = {law.words(): law for law in LAWS}
+_PARAMETERS = {law: [each.name for each in fields(law) if each.init] for law in LAWS}  # type: ignore[arg-type]
+
+
 def _law(name: str) -> type[ForceLaw]:
     """Return a force law by its words."""
-    known = {law.words(): law for law in LAWS}
-    if name not in known:
-        raise RunError(f"there is no force law `{name}`; there are {', '.join(known)}")
-    return known[name]
+    if name not in _LAWS:
+        raise RunError(f"there is no force law `{name}`; there are {', '.join(_LAWS)}")
+    return _LAWS[name]
