@@ -25,7 +25,7 @@ NO_SPRING = 10.0
 """Per cent of the peak force above which a two-way link between two groups is taken for a sheet."""
 
 MOST_FALL = 0.5
-"""Share of its peak by which a loading curve may fall, all falls together, and still be a spring's.
+"""Share of its peak by which a loading curve may fall and still be a spring's.
 
 A foam or a beam that buckles falls by less. What falls by more, a fascia that slides along a stiffener and
 off it, is a contact whose force follows how far the sheet is pushed in.
@@ -82,13 +82,21 @@ def _sheet(flow: Flow, fit: SpringFit | None, steps: FirstSteps) -> SheetLaw | N
     one_sheet = link.tension and len(kinds) == 1 and kinds <= SHEETS
     if not one_sheet and (fit is None or _is_spring(fit, tension=link.tension)):
         return None
-    if not one_sheet and not link.tension and "fascia" not in kinds:
+    if not one_sheet and not link.tension and not _of_a_sheet(flow, steps):
         return None
     first, second = steps.displacements[link.source], steps.displacements[link.target]
     masses = (steps.masses[link.source], steps.masses[link.target])
     law = sheet_law(first, second, flow.force, masses, tension=link.tension)
     better = one_sheet or link.tension or fit is None or law is None or law.misfit < fit.misfit
     return law if better else None
+
+
+def _of_a_sheet(flow: Flow, steps: FirstSteps) -> bool:
+    """Tell whether a path leads from a fascia group that is joined to another one, so that it can slide."""
+    fascia = {name for name, group in steps.case.groups.items() if group.kind == "fascia"}
+    ends = {flow.link.source, flow.link.target} & fascia
+    joined = ({link.source, link.target} for link in steps.graph.links if link.tension)
+    return any(len(pair & fascia) == 2 and pair & ends for pair in joined)
 
 
 def _is_spring(fit: SpringFit, *, tension: bool) -> bool:
@@ -98,7 +106,8 @@ def _is_spring(fit: SpringFit, *, tension: bool) -> bool:
     if tension:
         return True
     force = np.array(fit.law.force)[:-1]  # the last point continues the curve beyond what was seen
-    return float(np.sum(np.maximum(-np.diff(force), 0.0))) <= MOST_FALL * float(np.max(np.abs(force)))
+    fallen = np.maximum.accumulate(force) - force
+    return float(np.max(fallen)) <= MOST_FALL * float(np.max(np.abs(force)))
 
 
 def _fit(flow: Flow, steps: FirstSteps) -> SpringFit | None:

@@ -104,3 +104,12 @@ def test_the_vehicle_document_can_be_read_and_says_that_it_is_derived(
     point = next(iter(vehicle.springs.values())).loading[1]
     assert point[1].confidence == "derived"
     assert "SHA-256" in point[1].source
+
+
+@pytest.mark.parametrize(
+    "name", ["bumper-reference", "bumper-compliant-beam", "bumper-rate-dependent-foam", "bumper-local-crush"]
+)
+def test_a_fascia_that_is_joined_to_no_other_has_springs_alone(name: str) -> None:
+    path = next(path for path in run(name).paths if path.name == "fascia – beam")
+    assert path.law is not None
+    assert path.sheet is None
