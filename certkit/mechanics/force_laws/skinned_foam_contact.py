@@ -33,7 +33,14 @@ from certkit.mechanics.force_laws.face_contact import (
 from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
 from certkit.mechanics.force_laws.leg_outline import surface_at
 from certkit.mechanics.force_laws.recorded_path import on_path
-from certkit.mechanics.force_laws.skin_equilibrium import foam_of, line_up, link_below, press_skin, remember
+from certkit.mechanics.force_laws.skin_equilibrium import (
+    foam_of,
+    line_up,
+    link_below,
+    press_skin,
+    remember,
+    sort_by_height,
+)
 
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
@@ -56,32 +63,45 @@ def _place(strip: SkinnedFoamContact, now: Instant) -> None:
 
 
 @compiled
-def _seen(strips: Rows[SkinnedFoamContact], i: int) -> float:
-    """Return how much of a strip's height no other strip stands in front of."""
-    strip = strips[i]
-    low, high = strip.z - 0.5 * strip.height, strip.z + 0.5 * strip.height
-    seen = strip.height
-    for k in range(len(strips)):
-        other = strips[k]
-        before = other.face < strip.face or (other.face == strip.face and k < i)
-        if k != i and before:
-            top = min(high, other.z + 0.5 * other.height)
-            seen -= max(top - max(low, other.z - 0.5 * other.height), 0.0)
+def _hidden_by(strips: Rows[SkinnedFoamContact], i: int, k: int) -> float:
+    """Return how much of a strip's height another one hides that stands in front of it."""
+    strip, other = strips[i], strips[k]
+    if other.face > strip.face or (other.face == strip.face and k > i):
+        return 0.0
+    top = min(strip.z + 0.5 * strip.height, other.z + 0.5 * other.height)
+    bottom = max(strip.z - 0.5 * strip.height, other.z - 0.5 * other.height)
+    return max(top - bottom, 0.0)
+
+
+@compiled
+def _seen(strips: Rows[SkinnedFoamContact], place: int, tallest: float) -> float:
+    """Return how much of a strip's height no other strip stands in front of.
+
+    Only the neighbours by height are asked: `tallest` is the height of the tallest strip.
+    """
+    i = strips[place].order
+    z, seen = strips[i].z, strips[i].height
+    reach = 0.5 * (seen + tallest)
+    at = place - 1
+    while at >= 0 and strips[strips[at].order].z < z + reach:
+        seen -= _hidden_by(strips, i, strips[at].order)
+        at -= 1
+    at = place + 1
+    while at < len(strips) and strips[strips[at].order].z > z - reach:
+        seen -= _hidden_by(strips, i, strips[at].order)
+        at += 1
     return max(seen, 0.0)
 
 
 @compiled
-def _meet(strips: Rows[SkinnedFoamContact], now: Instant) -> None:
+def _meet(strips: Rows[SkinnedFoamContact], now: Instant, tallest: float) -> None:
     """Write down which strips the leg's surface stands at, how deep, and how much of them it meets."""
     piece = 0
-    above = math.inf
-    for i in range(len(strips)):
-        strip = strips[i]
-        piece = 0 if strip.z > above else max(piece, 0)
-        above = strip.z
+    for place in range(len(strips)):
+        strip = strips[strips[place].order]
         strip.size = 0.0
         strip.depth = 0.0
-        piece = untilted_piece_at(now, strip.z, piece)
+        piece = untilted_piece_at(now, strip.z, max(piece, 0))
         if piece < 0:
             continue
         part, _ = kept_at_ends(now, piece, strip.z)
@@ -91,7 +111,7 @@ def _meet(strips: Rows[SkinnedFoamContact], now: Instant) -> None:
         strip.grip = part * ((1.0 - weight) * kept + weight * kept_below)
         if strip.grip <= 0.0:
             continue
-        strip.size = strip.grip * _seen(strips, i)
+        strip.size = strip.grip * _seen(strips, place, tallest)
         strip.piece = piece
         x, _, _ = surface_at(now, upper, strip.z, strip.thickness)
         other, _, _ = surface_at(now, lower, strip.z, strip.thickness)
@@ -264,16 +284,18 @@ class SkinnedFoamContact(ForceLaw):
     @compiled
     def forces(strips: Rows[SkinnedFoamContact], now: Instant, load: Rows[Load], totals: Totals) -> None:
         """Add the contact of leg and faces."""
-        lost = 0.0
+        lost = tallest = 0.0
         for i in range(len(strips)):
             strip = strips[i]
             _place(strip, now)
+            tallest = max(tallest, strip.height)
             strip.before, strip.felt = strip.pressed, strip.force
             strip.leaned, strip.gripped = strip.cosine, strip.grip
             strip.force = 0.0
             lost += strip.stored
             strip.stored = 0.0
-        _meet(strips, now)
+        sort_by_height(strips)
+        _meet(strips, now, tallest)
         count = line_up(strips)
         press_skin(strips, now, count)
         for k in range(count):
