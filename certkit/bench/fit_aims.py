@@ -63,5 +63,31 @@ def known_fits(library: tuple[str, ...]) -> tuple[FitAims, ...]:
     return tuple(found)
 
 
+@cache
+def corridor_sets(procedure: str, library: tuple[str, ...]) -> frozenset[str]:
+    """Return the names of the corridor sets that a procedure grades by; none where it cannot be read."""
+    try:
+        data = _data(find(KINDS["procedure"], procedure, library))
+        return frozenset(_Graded.model_validate(data).sets())
+    except (CertkitError, ValidationError):
+        return frozenset()
+
+
+class _Criterion(BaseModel):
+    """Of a procedure's criterion, what it is held against: `set/entry`."""
+
+    corridor: str | None = None
+
+
+class _Graded(BaseModel):
+    """Of a procedure, its criteria."""
+
+    criteria: list[_Criterion] = []
+
+    def sets(self) -> set[str]:
+        """Return the names of the sets."""
+        return {each.corridor.partition("/")[0] for each in self.criteria if each.corridor}
+
+
 def _data(found: Found) -> dict[str, Any]:
     return read_tree(found.data, found.file).data

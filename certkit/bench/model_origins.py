@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.bench.fit_aims import known_fits
+from certkit.bench.fit_aims import corridor_sets, known_fits
 from certkit.definitions.units import UNITS, parse_quantity
 from certkit.grading.front_limits import beyond_range
 from certkit.reasons import Reason
@@ -22,24 +22,33 @@ ON_BOUND = 0.005
 
 def fits_of(setup: Setup, library: Library = ()) -> list[FitAims]:
     """Return the fits that the legform was made by; those that cannot be read are passed over."""
-    folders = (library,) if isinstance(library, (str, Path)) else tuple(library)
-    known = known_fits(tuple(str(folder) for folder in folders))
-    return [task for task in known if task.legform == setup.legform.legform]
+    return [task for task in known_fits(_folders(library)) if task.legform == setup.legform.legform]
 
 
-def fitted_to(setup: Setup, fits: list[FitAims]) -> list[Reason]:
-    """Return what the model was fitted to, where it is what the procedure grades by or compares with."""
+def fitted_to(setup: Setup, fits: list[FitAims], library: Library = ()) -> list[Reason]:
+    """Return what the model was fitted to, where it is what the procedure grades by or compares with.
+
+    A fit that aimed at corridors is known by the corridors: a copy of its procedure under another name
+    grades by them all the same.
+    """
+    named = {criterion.corridor for criterion in setup.procedure.criteria if criterion.corridor}
+    graded = {corridor.partition("/")[0] for corridor in named}
     said = []
     for task in fits:
-        for target in task.targets:
-            if target.procedure != setup.procedure.procedure:
-                continue
-            graded = any(criterion.corridor for criterion in setup.procedure.criteria)
-            if target.to == "corridors" and graded:
-                said.append(Reason.of("fitted-to-corridors", fit=task.fit))
-            elif target.to == "reference":
-                said.append(Reason.of("fitted-to-reference", fit=task.fit))
+        aims = {to: {t.procedure for t in task.targets if t.to == to} for to in ("corridors", "reference")}
+        if graded and (
+            setup.procedure.procedure in aims["corridors"]
+            or any(graded & corridor_sets(aim, _folders(library)) for aim in sorted(aims["corridors"]))
+        ):
+            said.append(Reason.of("fitted-to-corridors", fit=task.fit))
+        if setup.procedure.procedure in aims["reference"]:
+            said.append(Reason.of("fitted-to-reference", fit=task.fit))
     return said
+
+
+def _folders(library: Library) -> tuple[str, ...]:
+    folders = (library,) if isinstance(library, (str, Path)) else tuple(library)
+    return tuple(str(folder) for folder in folders)
 
 
 def model_remarks(setup: Setup, fits: list[FitAims], front: Front | None) -> tuple[Reason, ...]:

@@ -88,7 +88,7 @@ def run_setup(setup: Setup, *, refine: bool = True, library: Library = ()) -> Re
     )
     fits = fits_of(setup, library)
     simulated = SimulatedTerms(
-        fitted=tuple(fitted_to(setup, fits)),
+        fitted=tuple(fitted_to(setup, fits, library)),
         bounds=model_remarks(setup, fits, front),
         quality=quality,
         numerical=refinement.uncertainties if refinement else {},

@@ -7,6 +7,7 @@ from pathlib import Path
 import certkit
 
 MEASURED = Path(__file__).parents[2] / "examples/measured/FLX-0007-pendulum.zip"
+PROCEDURES = Path(__file__).parents[2] / "procedures"
 LINES = 3
 
 
@@ -28,6 +29,18 @@ def test_a_simulated_pass_says_that_its_model_was_fitted_to_these_very_corridors
     assert result.verdict == "pass"
     assert result.coded_remarks[2].code == "pass-rests-on-fitted-model"
     assert "these very corridors" in result.remarks[2]
+
+
+def test_a_copy_of_the_procedure_under_another_name_says_so_too(tmp_path: Path):
+    folder = tmp_path / "procedures"
+    folder.mkdir()
+    text = (PROCEDURES / "pendulum.yaml").read_text(encoding="utf-8")
+    copy = text.replace("procedure: pendulum", "procedure: my-pendulum", 1)
+    assert copy != text
+    (folder / "my-pendulum.yaml").write_text(copy, encoding="utf-8")
+    result = certkit.run("my-pendulum", library=tmp_path, refine=False)
+    assert result.verdict == "pass"
+    assert result.coded_remarks[2].code == "pass-rests-on-fitted-model"
 
 
 def test_a_vehicle_test_says_that_no_fit_aimed_at_its_limits():

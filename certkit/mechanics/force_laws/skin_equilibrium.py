@@ -61,18 +61,6 @@ class SkinStrip(Protocol):
 
 
 @compiled
-def sort_by_height(strips: Rows[SkinStrip]) -> None:
-    """Put the rows of all strips into `order`, from the top; a step before they were nearly so."""
-    for k in range(1, len(strips)):
-        row = strips[k].order
-        at = k
-        while at > 0 and strips[strips[at - 1].order].z < strips[row].z:
-            strips[at].order = strips[at - 1].order
-            at -= 1
-        strips[at].order = row
-
-
-@compiled
 def line_up(strips: Rows[SkinStrip]) -> int:
     """Put the rows of the strips that are met into `chain`, from the top; return how many they are.
 

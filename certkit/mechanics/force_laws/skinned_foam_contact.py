@@ -39,8 +39,8 @@ from certkit.mechanics.force_laws.skin_equilibrium import (
     link_below,
     press_skin,
     remember,
-    sort_by_height,
 )
+from certkit.mechanics.force_laws.strip_visibility import seen_height, sort_by_height
 
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
@@ -63,37 +63,6 @@ def _place(strip: SkinnedFoamContact, now: Instant) -> None:
 
 
 @compiled
-def _hidden_by(strips: Rows[SkinnedFoamContact], i: int, k: int) -> float:
-    """Return how much of a strip's height another one hides that stands in front of it."""
-    strip, other = strips[i], strips[k]
-    if other.face > strip.face or (other.face == strip.face and k > i):
-        return 0.0
-    top = min(strip.z + 0.5 * strip.height, other.z + 0.5 * other.height)
-    bottom = max(strip.z - 0.5 * strip.height, other.z - 0.5 * other.height)
-    return max(top - bottom, 0.0)
-
-
-@compiled
-def _seen(strips: Rows[SkinnedFoamContact], place: int, tallest: float) -> float:
-    """Return how much of a strip's height no other strip stands in front of.
-
-    Only the neighbours by height are asked: `tallest` is the height of the tallest strip.
-    """
-    i = strips[place].order
-    z, seen = strips[i].z, strips[i].height
-    reach = 0.5 * (seen + tallest)
-    at = place - 1
-    while at >= 0 and strips[strips[at].order].z < z + reach:
-        seen -= _hidden_by(strips, i, strips[at].order)
-        at -= 1
-    at = place + 1
-    while at < len(strips) and strips[strips[at].order].z > z - reach:
-        seen -= _hidden_by(strips, i, strips[at].order)
-        at += 1
-    return max(seen, 0.0)
-
-
-@compiled
 def _meet(strips: Rows[SkinnedFoamContact], now: Instant, tallest: float) -> None:
     """Write down which strips the leg's surface stands at, how deep, and how much of them it meets."""
     piece = 0
@@ -111,7 +80,7 @@ def _meet(strips: Rows[SkinnedFoamContact], now: Instant, tallest: float) -> Non
         strip.grip = part * ((1.0 - weight) * kept + weight * kept_below)
         if strip.grip <= 0.0:
             continue
-        strip.size = strip.grip * _seen(strips, place, tallest)
+        strip.size = strip.grip * seen_height(strips, place, tallest)
         strip.piece = piece
         x, _, _ = surface_at(now, upper, strip.z, strip.thickness)
         other, _, _ = surface_at(now, lower, strip.z, strip.thickness)
