@@ -50,7 +50,7 @@ def grade(
         Name that the library knows, or a file.
     data : str or Path
         ISO-MME folder, archive or `.mme` file, CSV file, the folder of a run with its `channels.csv`, or a
-        finite-element run: its folder, binout, T01 or table, with a `mapping` that says what is what.
+        finite-element run, its folder or its file, with a `mapping` that says what is what.
     laboratory : str or Path, optional
         `lab.yaml`: header, sensors, decision rule, uncertainties, conditions; with the file that it shares.
         Where it has `numbering`, the report's number is entered in its register.

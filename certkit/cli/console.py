@@ -23,10 +23,11 @@ ALLOWED: dict[str, Verdict] = {"not-evaluated": "not evaluated"}
 
 
 def formats(words: str) -> list[str]:
-    """Split `html,pdf` and check each; see `certkit.reporting.writing`."""
-    from certkit.reporting.writing import checked  # noqa: PLC0415  # not on the path of `--help`
+    """Split `html,pdf` and check each; see `certkit.reporting.writing`. Of `none` the JSON alone is left."""
+    from certkit.bench.render_documents import split  # noqa: PLC0415  # not on the path of `--help`
+    from certkit.reporting.writing import checked  # noqa: PLC0415  # likewise
 
-    return checked([word.strip() for word in words.split(",") if word.strip()])
+    return checked(split(words))
 
 
 def allowed(words: Sequence[str] | None) -> list[Verdict]:

@@ -97,7 +97,11 @@ def extract(
     if as_json:
         typer.echo(result.to_json(), nl=False)
     else:
-        _show(result, target)
+        _show(result)
+        by_kind = {path.suffix: path for path in reversed(written)}
+        typer.echo(f"look at {by_kind.get('.html') or by_kind.get('.pdf') or written[0]}", err=True)
+        if result.vehicle:
+            typer.echo(f"use it: certkit run vehicle --set vehicle={target / 'vehicle.yaml'}", err=True)
     for warning in result.warnings:
         typer.echo(f"warning: {warning}", err=True)
     if not closed:
@@ -120,7 +124,7 @@ def _energies(energy: EnergyResult | None, which: str) -> str:
     return f"{getattr(energy, which):.1f} J" + ("" if law is None else f" ({law:.1f} J)")
 
 
-def _show(result: ExtractionResult, target: Path) -> None:
+def _show(result: ExtractionResult) -> None:
     """Print one line a load path."""
     head = (
         "path",
@@ -165,6 +169,3 @@ def _show(result: ExtractionResult, target: Path) -> None:
         typer.echo(f"\n{table}\n")
     for check in result.checks:
         typer.echo(check_sentence(check))
-    typer.echo(f"look at {target / 'extraction.html'}", err=True)
-    if result.vehicle:
-        typer.echo(f"use it: certkit run vehicle --set vehicle={target / 'vehicle.yaml'}", err=True)

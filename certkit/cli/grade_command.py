@@ -65,7 +65,7 @@ def grade(
 
     `certkit grade --procedure pendulum DATA --lab lab.yaml` checks the preconditions first, then conditions,
     filters and measures the channels as it does for a simulated test. The exit code is the verdict's. A
-    finite-element run (binout, T01, tables) needs a mapping that says which of its histories are channels.
+    finite-element run needs a mapping that says which of its histories are channels.
     Several recordings of one name are told apart by the folders they lie in. A folder that holds another
     result is refused, unless `--force` is given; without `--out` the next free `runs/NAME-2` is taken.
     """

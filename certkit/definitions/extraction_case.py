@@ -12,7 +12,13 @@ from certkit.definitions.part_selection import Box, IdRange
 from certkit.definitions.provenance import Length, Mass, Ratio, Time
 
 Format = Literal["openradioss native", "openradioss csv", "ls-dyna binout", "tidy csv"]
-"""Formats, each a file in `certkit.exchange.fe.readers`; a file that none of them knows is a tidy table."""
+"""Formats, each a file in `certkit.exchange.fe.readers`; a file that none of them knows is `TABLE`."""
+
+TABLE: Format = "tidy csv"
+"""The format that takes any file, so that it is asked last, wherever it stands in the list."""
+
+_OF_A_TABLE = ("time", "parts", "nodes", "contacts", "springs")
+"""Keys of the histories that name columns: solvers' files have names of their own."""
 
 _MAPPING_NEEDED = "a tidy csv needs `parts`: which column holds which part's momentum"
 
@@ -78,8 +84,8 @@ class HistoryFiles(Section):
     time: Annotated[str, Field(description="Column of the time in a tidy CSV.")] = "time_ms"
     parts: Annotated[dict[str, PartColumns], Field(description="Only for a tidy CSV.")] = {}
     nodes: Annotated[dict[str, str], Field(description="Column by node name, only for a tidy CSV.")] = {}
-    contacts: dict[str, ContactColumns] = {}
-    springs: dict[str, SpringColumns] = {}
+    contacts: Annotated[dict[str, ContactColumns], Field(description="Only for a tidy CSV.")] = {}
+    springs: Annotated[dict[str, SpringColumns], Field(description="Only for a tidy CSV.")] = {}
     table: Annotated[str | None, Field(description="CSV with mass and face of each part, by `group`.")] = None
     outlines: Annotated[str | None, Field(description="JSON with the front's outlines (x, z) in mm.")] = None
 
@@ -92,8 +98,14 @@ class HistoryFiles(Section):
 
     @model_validator(mode="after")
     def _mapped(self) -> HistoryFiles:
-        if self.format == "tidy csv" and not self.parts:
-            raise ValueError(_MAPPING_NEEDED)
+        if self.format == TABLE:
+            if not self.parts:
+                raise ValueError(_MAPPING_NEEDED)
+            return self
+        columns = [key for key in _OF_A_TABLE if key in self.model_fields_set]
+        if columns:
+            said = f"is for a {TABLE} alone, but the format is `{self.format}`; leave it out"
+            raise Faults([((key,), f"`{key}` {said}") for key in columns])
         return self
 
 

@@ -17,6 +17,16 @@ def test_a_pass_ends_with_0(certkit: Command) -> None:
     assert "PASS" in done.stdout
 
 
+def test_without_reports_the_document_alone_is_written(certkit: Command, table: Path, tmp_path: Path) -> None:
+    bare = ("--format", "none", "--allow", "not-evaluated", "--out")
+    simulated = certkit("run", "-p", "static-tibia", *bare, "run")
+    assert simulated.returncode == 0, simulated.stderr
+    graded = certkit("grade", "-p", "pendulum", str(table), *bare, "graded")
+    assert graded.returncode == 0, graded.stderr
+    for folder in ("run", "graded"):
+        assert [path.name for path in (tmp_path / folder).iterdir()] == ["result.json"]
+
+
 def test_a_value_outside_its_corridor_ends_with_1(certkit: Command, tmp_path: Path) -> None:
     done = certkit("run", "--procedure", "inverse", "--set", "rig.ram.speed=13 m/s", "--format", "junit")
     assert done.returncode == 1

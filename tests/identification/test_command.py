@@ -42,6 +42,13 @@ def test_the_result_alone_goes_to_standard_output_with_json(case: Path) -> None:
     assert json.loads(done.stdout)["case"] == "bumper-reference"
 
 
+def test_without_a_report_the_reader_is_sent_to_the_document(case: Path) -> None:
+    done = certkit("extract", case, "--out", "found", "--format", "none", "--no-checks", folder=case.parent)
+    assert done.returncode == 0, done.stderr
+    assert "look at found/extraction.json" in done.stderr
+    assert {path.name for path in (case.parent / "found").iterdir()} == {"extraction.json", "vehicle.yaml"}
+
+
 def test_histories_may_lie_elsewhere(case: Path, tmp_path: Path) -> None:
     (tmp_path / "other").mkdir()
     shutil.move(tmp_path / "histories.csv", tmp_path / "other")

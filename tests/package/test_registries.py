@@ -231,7 +231,7 @@ def test_a_format_is_one_file_and_one_word_for_extraction_and_virtual_test(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ):
     with_file(monkeypatch, reader_files, tmp_path, "made_up_solver", MADE_UP_SOLVER)
-    monkeypatch.setattr(reader_files, "Format", Literal["made-up solver", *get_args(Format)])
+    monkeypatch.setattr(reader_files, "Format", Literal[*get_args(Format), "made-up solver"])
     lines = [
         f" {side} 1 time {time} x {force}" for time in range(12) for side, force in (("zero", 2), ("one", -2))
     ]

@@ -131,11 +131,16 @@ def _paths(path: Path, layout: FiniteElements) -> list[Path]:
         return [path]
     patterns = layout.files
     if not patterns:
-        for usual in usual_files(layout.format):
-            found = _found(path, usual)
+        usual = usual_files(layout.format)
+        for each in usual:
+            found = _found(path, each)
             if found:
                 return found
-        raise DataError(f"{path}: no binout, T01 or table in this folder; name the mapping's `files`")
+        known = ", ".join(pattern for each in usual for pattern in each)
+        raise DataError(
+            f"{path}: none of a run's usual files ({known or 'this format has none'}) is in this folder; "
+            "name the mapping's `files`"
+        )
     found = _found(path, patterns)
     missing = [pattern for pattern in patterns if not _found(path, [pattern])]
     if missing:

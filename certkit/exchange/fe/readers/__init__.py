@@ -6,7 +6,8 @@ are graded as virtual tests too, it also has
 
 - `open_run(paths, layout)`, which yields a `RunFiles`,
 - `USUAL_FILES`, patterns of a run's files in its folder,
-- `holds(content)`, which tells the format from the first file's bytes.
+- `holds(content)`, which tells the format from the first file's bytes; the tidy table, which takes any, is
+  asked last.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, get_args
 
-from certkit.definitions.extraction_case import Format
+from certkit.definitions.extraction_case import TABLE, Format
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes
 
@@ -58,17 +59,22 @@ def open_run(paths: Sequence[Path], layout: FiniteElements) -> RunFiles:
 
 def usual_files(format_: str | None = None) -> list[tuple[str, ...]]:
     """Return the patterns of a run's files, format by format, or of one format."""
-    names = get_args(Format) if format_ is None else (format_,)
+    names = _names() if format_ is None else [format_]
     return [getattr(_reader(name), "USUAL_FILES", ()) for name in names]
 
 
 def _told(path: Path) -> str:
     content, _ = read_bytes(path)
-    for name in get_args(Format):
+    for name in _names():
         reader = _reader(name)
         if hasattr(reader, "holds") and reader.holds(content):
-            return str(name)
+            return name
     raise DataError(f"{path}: what kind of file this is cannot be told; name the `format` in the mapping")
+
+
+def _names() -> list[str]:
+    """Return the formats in the order in which they are asked."""
+    return sorted(get_args(Format), key=lambda name: name == TABLE)
 
 
 def _reader(name: str) -> Any:  # noqa: ANN401  # a module
