@@ -80,7 +80,7 @@ class HistoryFiles(Section):
     )
     files: Annotated[list[str], Field(min_length=1, max_length=20)]
     units: Annotated[str, Field(description="Mass, length and time, such as `kg mm ms`.")] = "kg mm ms"
-    rigid_bodies: dict[str, RigidBody] = {}
+    rigid_bodies: Annotated[dict[str, RigidBody], Field(description="Not for a tidy CSV.")] = {}
     time: Annotated[str, Field(description="Column of the time in a tidy CSV.")] = "time_ms"
     parts: Annotated[dict[str, PartColumns], Field(description="Only for a tidy CSV.")] = {}
     nodes: Annotated[dict[str, str], Field(description="Column by node name, only for a tidy CSV.")] = {}
@@ -101,6 +101,9 @@ class HistoryFiles(Section):
         if self.format == TABLE:
             if not self.parts:
                 raise ValueError(_MAPPING_NEEDED)
+            if self.rigid_bodies:
+                said = f"`rigid bodies` are for solvers' files; a {TABLE} has a `mass` in each of its `parts`"
+                raise Faults([(("rigid bodies",), said)])
             return self
         columns = [key for key in _OF_A_TABLE if key in self.model_fields_set]
         if columns:
