@@ -102,7 +102,8 @@ def _group(
     if kind == "face":
         run = _sampled(places, nodes, instants) if len(places) > 1 else _flat(group, [own[i] for i in at])
         if group.outlines:
-            model = [[_rounded(p) for p in outline_at(group, [float(x) for x in moved[: i + 1]])] for i in at]
+            most = np.maximum.accumulate(moved)
+            model = [[_rounded(p) for p in outline_at(group, float(moved[i]), float(most[i]))] for i in at]
         else:
             model = _flat(group, [float(moved[i]) for i in at])
     else:

@@ -31,8 +31,7 @@ def fitted_to(setup: Setup, fits: list[FitAims], library: Library = ()) -> list[
     A fit that aimed at corridors is known by the corridors: a copy of its procedure under another name
     grades by them all the same.
     """
-    named = {criterion.corridor for criterion in setup.procedure.criteria if criterion.corridor}
-    graded = {corridor.partition("/")[0] for corridor in named}
+    graded = setup.procedure.corridor_sets
     said = []
     for task in fits:
         aims = {to: {t.procedure for t in task.targets if t.to == to} for to in ("corridors", "reference")}

@@ -166,8 +166,7 @@ def _full(role: str, path: str) -> str:
 
 def _named_sets(procedure: Procedure, library: Library) -> list[str]:
     """List the corridor sets that a procedure names and somebody supplies."""
-    named = {c.corridor.partition("/")[0] for c in procedure.criteria if c.corridor}
-    named |= {procedure.score} if procedure.score else set()
+    named = procedure.corridor_sets | ({procedure.score} if procedure.score else set())
     return sorted(named & set(names("corridors", library)))
 
 

@@ -157,6 +157,11 @@ class Procedure(Section):
         """Return `static`, `dynamic` or `flight`, as its rig's fixtures say."""
         return self.rig.test_kind
 
+    @property
+    def corridor_sets(self) -> set[str]:
+        """Return the names of the corridor sets that its criteria are held against."""
+        return {c.corridor.partition("/")[0] for c in self.criteria if c.corridor}
+
     @model_validator(mode="before")
     @classmethod
     def _origin_from_method(cls, data: Any) -> Any:  # noqa: ANN401  # raw YAML data

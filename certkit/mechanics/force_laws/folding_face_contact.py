@@ -22,44 +22,28 @@ from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
 from certkit.mechanics.force_laws.face_contact import press_strip, untilted_piece_at
+from certkit.mechanics.force_laws.folding_strip import move_strip, seen_height, sort_by_height
 from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
-from certkit.mechanics.force_laws.recorded_path import on_path
 
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
 
 
 @compiled
-def _place(strip: FoldingFaceContact, now: Instant) -> None:
-    """Write down where the strip stands now, how high it is, and what of that is its own change."""
-    moved = now.pose[strip.group].x - strip.rest
-    strip.largest = max(strip.largest, moved)
-    apart = now.pose[strip.group].x - now.pose[strip.partner].x
-    strip.parting = apart - strip.apart
-    strip.apart = apart
-    x = on_path(now.curves, strip, 0, moved, strip.largest)
-    z = on_path(now.curves, strip, 1, moved, strip.largest)
-    strip.shift, strip.climb = x - strip.x, z - strip.z
-    strip.x, strip.z = x, z
-    strip.face = moved + x
-    strip.whole = max(on_path(now.curves, strip, 2, moved, strip.largest), 0.0)
-
-
-@compiled
-def _show(strips: Rows[FoldingFaceContact], i: int) -> None:
-    """Write down how much of the strip's height no other strip stands in front of."""
-    strip = strips[i]
-    low, high = strip.z - 0.5 * strip.whole, strip.z + 0.5 * strip.whole
-    hidden = 0.0
-    for k in range(len(strips)):
-        other = strips[k]
-        before = other.face < strip.face or (other.face == strip.face and k < i)
-        if k != i and before:
-            top = min(high, other.z + 0.5 * other.whole)
-            hidden += max(top - max(low, other.z - 0.5 * other.whole), 0.0)
-    seen = max(strip.whole - hidden, 0.0)
-    strip.growth = seen - strip.height
-    strip.height = seen
+def _place(strips: Rows[FoldingFaceContact], now: Instant) -> None:
+    """Write down where the strips stand now, and how much of each can be seen."""
+    tallest = 0.0
+    for i in range(len(strips)):
+        strip = strips[i]
+        at = now.pose[strip.group].x
+        move_strip(strip, now, at - strip.rest, at - now.pose[strip.partner].x)
+        tallest = max(tallest, strip.height)
+    sort_by_height(strips)
+    for place in range(len(strips)):
+        strip = strips[strips[place].order]
+        seen = seen_height(strips, place, tallest)
+        strip.growth = seen - strip.seen
+        strip.seen = seen
 
 
 @dataclass(kw_only=True, eq=False, repr=False)
@@ -82,6 +66,8 @@ class FoldingFaceContact(ForceLaw):
         Of the flesh in front of the bone, m.
     friction : float
         μ.
+    order : int
+        Row of the strip that comes at this row's place from the top; the law keeps it sorted.
     depth, force : State
         d (m) and F (N) now.
     apart, parting : State
@@ -90,10 +76,10 @@ class FoldingFaceContact(ForceLaw):
         Largest displacement of the group so far, m.
     x, z : State
         The strip's place against its group now, m.
-    face, whole, height : State
+    face, height, seen : State
         Where it stands, how high it is, and how much of that no other strip stands in front of, m.
     shift, climb, growth : State
-        How much x, z and height have changed with the outline since the step before, m.
+        How much x, z and what is seen have changed with the outline since the step before, m.
     density : State
         Energy stored over height now, J/m.
     """
@@ -114,6 +100,7 @@ class FoldingFaceContact(ForceLaw):
     reversal: float
     thickness: float
     friction: float
+    order: int
     depth: State = 0.0
     force: State = 0.0
     apart: State = 0.0
@@ -122,8 +109,8 @@ class FoldingFaceContact(ForceLaw):
     x: State = 0.0
     z: State = 0.0
     face: State = 0.0
-    whole: State = 0.0
     height: State = 0.0
+    seen: State = 0.0
     shift: State = 0.0
     climb: State = 0.0
     growth: State = 0.0
@@ -133,15 +120,12 @@ class FoldingFaceContact(ForceLaw):
     @compiled
     def forces(strips: Rows[FoldingFaceContact], now: Instant, load: Rows[Load], totals: Totals) -> None:
         """Add the contact of leg and folding faces."""
-        for i in range(len(strips)):
-            _place(strips[i], now)
-        for i in range(len(strips)):
-            _show(strips, i)
+        _place(strips, now)
         piece = 0
         above = math.inf
         for i in range(len(strips)):
             strip = strips[i]
-            z, height = strip.z, strip.height
+            z, height = strip.z, strip.seen
             shift, climb, growth = strip.shift, strip.climb, strip.growth
             before = strip.force
             strip.depth = 0.0

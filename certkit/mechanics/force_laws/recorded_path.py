@@ -34,17 +34,31 @@ class RecordedPath(Protocol):
 
 
 @compiled
+def _on_way_in(
+    curves: Rows[CurvePoint], path: RecordedPath, quantity: int, largest: float
+) -> tuple[float, float, float]:
+    """Return a quantity at the largest progress, its last value, and w."""
+    first = path.in_start + quantity * path.in_points
+    last = first + path.in_points - 1
+    end = curves[last].x
+    weight = min(largest / end, 1.0) if end > 0.0 else 1.0
+    return held(curves, first, path.in_points, largest), curves[last].force, weight
+
+
+@compiled
+def _added(curves: Rows[CurvePoint], path: RecordedPath, quantity: int, share: float) -> float:
+    """Return what a quantity gains on the way back."""
+    return held(curves, path.back_start + quantity * path.back_points, path.back_points, share)
+
+
+@compiled
 def on_path(
     curves: Rows[CurvePoint], path: RecordedPath, quantity: int, progress: float, largest: float
 ) -> float:
     """Return a quantity of a path by its number."""
-    start, count = path.in_start, path.in_points
-    value = held(curves, start + quantity * count, count, largest)
-    count = path.back_points
-    if count > 0 and largest > 0.0:
-        end = curves[start + path.in_points - 1].x
-        weight = min(largest / end, 1.0) if end > 0.0 else 1.0
-        value += weight * held(curves, path.back_start + quantity * count, count, progress / largest)
+    value, _, weight = _on_way_in(curves, path, quantity, largest)
+    if path.back_points > 0 and largest > 0.0:
+        value += weight * _added(curves, path, quantity, progress / largest)
     return value
 
 
@@ -57,15 +71,9 @@ def on_joining_path(
     curves: Rows[CurvePoint], path: RecordedPath, quantity: int, progress: float, largest: float
 ) -> float:
     """Return a quantity of a path by its number; its way back joins the recorded one."""
-    start, count = path.in_start, path.in_points
-    value = held(curves, start + quantity * count, count, largest)
-    points = path.back_points
-    if points > 0 and largest > 0.0 and progress < largest:
+    value, last, weight = _on_way_in(curves, path, quantity, largest)
+    if path.back_points > 0 and largest > 0.0 and progress < largest:
         share = progress / largest
-        last = start + (quantity + 1) * count - 1
-        end = curves[last].x
-        weight = min(largest / end, 1.0) if end > 0.0 else 1.0
         left = max((share - JOINED) / (1.0 - JOINED), 0.0)
-        added = held(curves, path.back_start + quantity * points, points, share)
-        value = (curves[last].force + added) * weight + left * (value - weight * curves[last].force)
+        value = (last + _added(curves, path, quantity, share)) * weight + left * (value - weight * last)
     return value

@@ -30,9 +30,9 @@ from certkit.mechanics.force_laws.face_contact import (
     push_back,
     untilted_piece_at,
 )
+from certkit.mechanics.force_laws.folding_strip import move_strip, seen_height, sort_by_height
 from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
 from certkit.mechanics.force_laws.leg_outline import surface_at
-from certkit.mechanics.force_laws.recorded_path import on_path
 from certkit.mechanics.force_laws.skin_equilibrium import (
     foam_of,
     line_up,
@@ -40,7 +40,6 @@ from certkit.mechanics.force_laws.skin_equilibrium import (
     press_skin,
     remember,
 )
-from certkit.mechanics.force_laws.strip_visibility import seen_height, sort_by_height
 
 if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
@@ -48,18 +47,10 @@ if TYPE_CHECKING:
 
 @compiled
 def _place(strip: SkinnedFoamContact, now: Instant) -> None:
-    """Write down where the strip stands now, how high it is, and what of that is its own change."""
-    moved = (1.0 - strip.share) * now.pose[strip.lower].x + strip.share * now.pose[strip.upper].x - strip.rest
-    strip.largest = max(strip.largest, moved)
-    apart = now.pose[strip.lower].x - now.pose[strip.upper].x
-    strip.parting = apart - strip.apart
-    strip.apart = apart
-    x = on_path(now.curves, strip, 0, moved, strip.largest)
-    z = on_path(now.curves, strip, 1, moved, strip.largest)
-    strip.shift, strip.climb = x - strip.x, z - strip.z
-    strip.x, strip.z = x, z
-    strip.face = moved + x
-    strip.height = max(on_path(now.curves, strip, 2, moved, strip.largest), 0.0)
+    """Write down where the strip stands now; it moves with both its groups."""
+    lower, upper = now.pose[strip.lower].x, now.pose[strip.upper].x
+    moved = (1.0 - strip.share) * lower + strip.share * upper - strip.rest
+    move_strip(strip, now, moved, lower - upper)
 
 
 @compiled

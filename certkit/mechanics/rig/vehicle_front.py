@@ -89,39 +89,33 @@ def _add_faces(
     rig: RigBuilder, assembly: Assembly, strips: list[FrontStrip], start: float, front: _Front
 ) -> None:
     """Let the leg's flesh meet the strips, which stand `start` (m) further along x than their document."""
-    foam = front.foam
-    layer = rig.flesh_layer() if foam is None else {}
+    layer = rig.flesh_layer() if front.foam is None else {}
     for number, strip in enumerate(strips):
         lower, upper = (front.bodies[name] for name in (strip.lower, strip.upper))
         moved = (1 - strip.share) * assembly.centre(lower)[0] + strip.share * assembly.centre(upper)[0]
-        if foam is not None:
+        shares = {"lower": lower, "upper": upper, "share": strip.share, "friction": front.friction}
+        if front.foam is None:
+            row = rig.add_force(
+                "vehicle front contact",
+                face_x=strip.x + start - moved,
+                face_z=strip.z,
+                height=strip.height,
+                thickness=rig.cover,
+                **shares,
+                **layer,
+            )
+        else:
             place = np.zeros(1), np.array([[strip.x + start, strip.z, strip.height]])
+            path = add_path(assembly, place, UNMOVED)
             row = rig.add_force(
                 "skinned foam contact",
-                lower=lower,
-                upper=upper,
-                share=strip.share,
                 load_share=strip.share,
                 rest=moved,
-                friction=front.friction,
                 order=number,
-                **foam,
-                **add_path(assembly, place, UNMOVED),
+                **shares,
+                **front.foam,
+                **path,
             )
-            rig.record(f"strip {number} force", row, "force")
-            continue
-        row = rig.add_force(
-            "vehicle front contact",
-            lower=lower,
-            upper=upper,
-            face_x=strip.x + start - moved,
-            face_z=strip.z,
-            share=strip.share,
-            height=strip.height,
-            thickness=rig.cover,
-            friction=front.friction,
-            **layer,
-        )
         rig.record(f"strip {number} force", row, "force")
 
 
@@ -129,37 +123,36 @@ def _add_folding_faces(
     rig: RigBuilder, assembly: Assembly, strips: list[OutlineStrip], start: float, front: _Front
 ) -> None:
     """Let the leg's flesh meet faces that fold, which stand `start` (m) further along x."""
-    foam = front.foam
-    layer = rig.flesh_layer() if foam is None else {}
+    layer = rig.flesh_layer() if front.foam is None else {}
     for number, strip in enumerate(strips):
         pushed = strip.pushed + np.array([start, 0.0, 0.0])
         group, partner = front.bodies[strip.group], front.bodies[strip.partner]
-        if foam is not None:
+        folding = {
+            "rest": assembly.centre(group)[0],
+            "friction": front.friction,
+            "order": number,
+            **add_path(assembly, (strip.at, pushed), (strip.shares, strip.back)),
+        }
+        if front.foam is None:
+            row = rig.add_force(
+                "folding face contact",
+                group=group,
+                partner=partner,
+                share=strip.share,
+                thickness=rig.cover,
+                **layer,
+                **folding,
+            )
+        else:
             row = rig.add_force(
                 "skinned foam contact",
                 lower=group,
                 upper=partner,
                 share=0.0,
                 load_share=strip.share,
-                rest=assembly.centre(group)[0],
-                friction=front.friction,
-                order=number,
-                **foam,
-                **add_path(assembly, (strip.at, pushed), (strip.shares, strip.back)),
+                **front.foam,
+                **folding,
             )
-            rig.record(f"folding strip {number} force", row, "force")
-            continue
-        row = rig.add_force(
-            "folding face contact",
-            group=group,
-            partner=partner,
-            share=strip.share,
-            rest=assembly.centre(group)[0],
-            thickness=rig.cover,
-            friction=front.friction,
-            **layer,
-            **add_path(assembly, (strip.at, pushed), (strip.shares, strip.back)),
-        )
         rig.record(f"folding strip {number} force", row, "force")
 
 

@@ -38,7 +38,8 @@ def face_profiles(result: ExtractionResult, check: SelfCheck, t: Translate = eng
             zs: list[float] = []
             for group in sorted(faced, key=lambda g: g.low or 0.0):
                 history = group.displacement if name == "run" else moved[group.name]
-                for x, z in outline_at(group, history[: 1 + round((instant - start) / interval)]):
+                so_far = history[: 1 + round((instant - start) / interval)]
+                for x, z in outline_at(group, so_far[-1], max(so_far)):
                     xs.append(1e3 * z)
                     zs.append(1e3 * x)
             lines.append((t(name), xs, zs))

@@ -154,7 +154,7 @@ def struck(shift: float, *behind: float, share: float = 0.0) -> Trajectory:
     face = assembly.add_body("face", 1.0, 0.0, (0.0, 0.0, 0.0), guided=True)
     other = assembly.add_body("other", 2.0, 0.0, (0.0, 0.0, 0.0), guided=True)
     assembly.add_outline(OutlinePiece(body=leg, top=0.2, bottom=-0.2, face=0.0, width=0.05))
-    for back in (0.0, *behind):
+    for number, back in enumerate((0.0, *behind)):
         places = np.array([[0.031 + back, 0.0, 0.05], [0.031 + back + shift, 0.0, 0.05]])
         assembly.add(
             FoldingFaceContact(
@@ -170,6 +170,7 @@ def struck(shift: float, *behind: float, share: float = 0.0) -> Trajectory:
                 reversal=1.0,
                 thickness=0.03,
                 friction=0.0,
+                order=number,
                 **add_path(assembly, (np.array([0.0, 0.02]), places), (np.array([1.0]), np.zeros((1, 3)))),
             )
         )

@@ -21,6 +21,46 @@ FOUNDATION = 2e6
 """k, N/m²."""
 
 
+PLAIN = {
+    "hysteresis": 1.0,
+    "shape": 1.0,
+    "loss": 0.0,
+    "reversal": 1.0,
+    "recovery": 0.0,
+    "shear": 0.0,
+    "skin": 0.0,
+}
+"""Foam that gives back what it took, without a skin."""
+
+
+def add_strip(
+    assembly: Assembly,
+    face: int,
+    curve: tuple[int, int],
+    place: tuple[float, float, float],
+    order: int = 0,
+    **foam: float,
+) -> None:
+    """Let a strip of a face meet 30 mm of foam: x, height and size, m."""
+    assembly.add(
+        SkinnedFoamContact(
+            lower=face,
+            upper=face,
+            share=0.0,
+            load_share=0.0,
+            rest=0.0,
+            foam_start=curve[0],
+            foam_points=curve[1],
+            layer=0.03,
+            thickness=0.03,
+            friction=0.0,
+            order=order,
+            **PLAIN | foam,
+            **add_path(assembly, (np.zeros(1), np.array([place])), STILL),
+        )
+    )
+
+
 def struck(
     faces: list[tuple[float, float, float]],
     *,
@@ -42,34 +82,10 @@ def struck(
     bodies = [leg]
     if free:
         bodies.append(assembly.add_body("face", free, 0.0, (0.0, 0.0, 0.0), guided=True))
-    start, points = assembly.add_curve(list(curve))
-    law = {
-        "hysteresis": 1.0,
-        "shape": 1.0,
-        "loss": 0.0,
-        "reversal": 1.0,
-        "recovery": 0.0,
-        "shear": 0.0,
-        "skin": 0.0,
-    } | foam
+    law = assembly.add_curve(list(curve))
     for number, (gap, z, height) in enumerate(faces):
-        assembly.add(
-            SkinnedFoamContact(
-                lower=bodies[-1] if free else GROUND,
-                upper=bodies[-1] if free else GROUND,
-                share=0.0,
-                load_share=0.0,
-                rest=0.0,
-                foam_start=start,
-                foam_points=points,
-                layer=0.03,
-                thickness=0.03,
-                friction=0.0,
-                order=number,
-                **law,
-                **add_path(assembly, (np.zeros(1), np.array([[0.03 + gap, z, height]])), STILL),
-            )
-        )
+        place = (0.03 + gap, z, height)
+        add_strip(assembly, bodies[-1] if free else GROUND, law, place, number, **foam)
     world = assembly.finish()
     rows = range(len(faces))
     probes = [world.place(SkinnedFoamContact, row, state) for state in ("force", "pressed") for row in rows]
@@ -163,30 +179,9 @@ def test_foam_that_forgets_loses_in_a_second_blow_what_it_lost_in_the_first(reco
     leg = assembly.add_body("leg", 1e6, 1e6, (0.0, 0.0, 0.0))
     face = assembly.add_body("face", 0.05, 0.0, (0.0, 0.0, 0.0), guided=True, damping=100.0)
     assembly.add_outline(OutlinePiece(body=leg, top=0.2, bottom=-0.2, face=0.0, width=0.09))
-    start, points = assembly.add_curve([(0.0, 0.0), (0.01, 1e-2 * FOUNDATION)])
-    assembly.add(
-        SkinnedFoamContact(
-            lower=face,
-            upper=face,
-            share=0.0,
-            load_share=0.0,
-            rest=0.0,
-            foam_start=start,
-            foam_points=points,
-            layer=0.03,
-            thickness=0.03,
-            friction=0.0,
-            order=0,
-            hysteresis=0.3,
-            shape=5.0,
-            loss=0.0,
-            reversal=1.0,
-            recovery=recovery,
-            shear=0.0,
-            skin=0.0,
-            **add_path(assembly, (np.zeros(1), np.array([[0.03, 0.0, 0.05]])), STILL),
-        )
-    )
+    curve = assembly.add_curve([(0.0, 0.0), (0.01, 1e-2 * FOUNDATION)])
+    foam = {"hysteresis": 0.3, "shape": 5.0, "recovery": recovery}
+    add_strip(assembly, face, curve, (0.03, 0.0, 0.05), **foam)
     time = np.arange(0.0, 0.1, 1e-4)
     force = -300.0 * (1.0 - np.cos(2 * math.pi * time / 0.05))
     where, count = add_tables(assembly, time, np.column_stack([force, np.zeros_like(time)]))

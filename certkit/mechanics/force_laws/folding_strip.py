@@ -1,22 +1,58 @@
-"""Which strips of a folding front can be seen: how much of each no other one stands in front of."""
+"""Strips of faces that fold as they are pushed in: where each stands, and how much of it can be seen.
+
+A strip's place (x against its groups, z) and height are tabulated over its groups' displacement, see
+`recorded_path`. Of two strips at one height only the one in front can be met.
+"""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
 from certkit.mechanics.compiling import compiled
+from certkit.mechanics.force_laws.recorded_path import RecordedPath, on_path
 
 if TYPE_CHECKING:
+    from certkit.mechanics.force_laws.law import Instant
     from certkit.mechanics.records import Rows, State
 
 
-class Strip(Protocol):
-    """A strip: where it stands (m), its height (m), and a place in the order by height."""
+class Strip(RecordedPath, Protocol):
+    """A strip of a folding face, SI; see `certkit.mechanics.force_laws.folding_face_contact`."""
 
     order: int
-    face: State
+    largest: State
+    apart: State
+    parting: State
+    x: State
     z: State
+    face: State
     height: State
+    shift: State
+    climb: State
+
+
+@compiled
+def move_strip(strip: Strip, now: Instant, moved: float, apart: float) -> None:
+    """Write down where a strip stands now, how high it is, and what of that is its own change.
+
+    Parameters
+    ----------
+    strip : Strip
+    now : Instant
+    moved : float
+        Displacement of what it moves with, m.
+    apart : float
+        How far that stands before its neighbour, m.
+    """
+    strip.largest = max(strip.largest, moved)
+    strip.parting = apart - strip.apart
+    strip.apart = apart
+    x = on_path(now.curves, strip, 0, moved, strip.largest)
+    z = on_path(now.curves, strip, 1, moved, strip.largest)
+    strip.shift, strip.climb = x - strip.x, z - strip.z
+    strip.x, strip.z = x, z
+    strip.face = moved + x
+    strip.height = max(on_path(now.curves, strip, 2, moved, strip.largest), 0.0)
 
 
 @compiled
