@@ -185,7 +185,7 @@ def test_formats_of_finite_element_histories_are_named_in_one_place():
 MADE_UP_SOLVER = """
 import numpy as np
 from certkit.exchange.fe.histories import ContactHistory, PartHistories
-from certkit.exchange.fe.run_histories import Samples
+from certkit.exchange.fe.run_histories import RunFiles, Samples
 
 def rows_of(path):
     rows = [line.split() for line in path.read_text().splitlines() if line.split()[:1] == ["one"]]
@@ -202,7 +202,7 @@ USUAL_FILES = ("made_up*",)
 def holds(content):
     return content.lstrip().startswith(b"zero")
 
-class MadeUpRun:
+class MadeUpRun(RunFiles):
     def __init__(self, path):
         self.path, self.files = path, {str(path): "0" * 64}
     def history(self, asked, dimension):

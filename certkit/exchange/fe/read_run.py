@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import ExitStack
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -57,10 +56,7 @@ def read_run(path: Path, mapping: Mapping, layout: FiniteElements, table: Channe
         For missing or damaged files, histories that are not there, or conditions that contradict each other.
     """
     paths = _paths(path, layout)
-    with ExitStack() as stack:
-        run = open_run(paths, layout)
-        if hasattr(run, "close"):
-            stack.callback(run.close)
+    with open_run(paths, layout) as run:
         histories = {
             name: _signed(run.history(asked, table.kinds[name].dimension.quantity), asked.sign)
             for name, asked in layout.channels.items()
@@ -74,7 +70,7 @@ def read_run(path: Path, mapping: Mapping, layout: FiniteElements, table: Channe
     zero = None if contact is None else contact_sample(contact)
     notes = [Reason.of("run-resampled", interval=base.interval * 1e3)]
     told: dict[str, Told] = {word: Told(v, str(path)) for word, v in energy_conditions(energies).items()}
-    notes += [Reason.of("run-files-remark", said=said) for said in getattr(run, "remarks", ())]
+    notes += [Reason.of("run-files-remark", said=said) for said in run.remarks]
     if zero is None:
         notes.append(Reason.of("run-without-contact"))
         shift = 0.0

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
 
@@ -38,13 +39,29 @@ class Samples:
         return np.interp(time, self.time, self.values)
 
 
-class RunFiles(Protocol):
-    """What every reader of a run offers; besides, a `close()` where it holds files open, and `remarks`."""
+class RunFiles(ABC):
+    """What every reader of a run offers. Used in `with`, it lets go of its files at the end."""
+
+    files: Mapping[str, str]
+    """SHA-256 of every file that was read, by its name."""
 
     @property
-    def files(self) -> Mapping[str, str]:
-        """SHA-256 of every file that was read, by its name."""
+    def remarks(self) -> tuple[str, ...]:
+        """What there is to say of the files and of how they were joined."""
+        return ()
 
+    def close(self) -> None:  # noqa: B027  # most readers hold nothing open
+        """Let go of what is held open."""
+
+    def __enter__(self) -> Self:
+        """Return the run."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Close it."""
+        self.close()
+
+    @abstractmethod
     def history(self, asked: History, dimension: str) -> Samples:
         """Return a history of that dimension.
 
@@ -54,6 +71,7 @@ class RunFiles(Protocol):
             When the run has none of that name; says what there is.
         """
 
+    @abstractmethod
     def energies(self) -> Mapping[str, Samples]:
         """Return what the run tells of its energies and its mass, SI.
 
@@ -82,17 +100,3 @@ def combined(parts: Iterable[Samples], how: str) -> Samples:
     listed = list(parts)
     total = np.sum([part.values for part in listed], axis=0)
     return Samples(listed[0].time, total / len(listed) if how == "mean" else total)
-
-
-def growth_of_distance(first: tuple[Values, Values], second: tuple[Values, Values], time: Values) -> Samples:
-    """Return how much the distance of two nodes grows.
-
-    Parameters
-    ----------
-    first, second : tuple of ndarray
-        Place of each at the first instant, shape (3,), and displacement, shape (n, 3).
-    time : ndarray, shape (n,)
-    """
-    apart = (second[0] + second[1]) - (first[0] + first[1])
-    length = np.sqrt((apart**2).sum(axis=1))
-    return Samples(time, length - length[0])

@@ -17,7 +17,8 @@ from certkit.exchange.fe.fortran_records import FortranRecords
 from certkit.exchange.fe.histories import match_one, parse_units
 from certkit.exchange.fe.radioss_directory import read_directory, read_instants, require_units
 from certkit.exchange.fe.radioss_variables import GLOBALS, GROUP_VARIABLES, KINDS, SPRING_GROUP, is_impulse
-from certkit.exchange.fe.run_histories import Samples, combined, factor_of, growth_of_distance
+from certkit.exchange.fe.run_histories import Samples
+from certkit.exchange.fe.run_objects import NodePath, RunOfObjects
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -25,16 +26,16 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from certkit.definitions.virtual_test import History
-
     Values = NDArray[np.float64]
 
 _STRANDS = "100"
 """Kind of strands in the file of titles; the history counts them as springs."""
 
 
-class RadiossRun:
+class RadiossRun(RunOfObjects):
     """Groups and global variables of one native file."""
+
+    kind = "a native file has groups"
 
     def __init__(self, path: Path, units: str) -> None:
         """Read the file, and the names of its variables where they stand beside it.
@@ -45,33 +46,24 @@ class RadiossRun:
             For anything that is no whole, self-consistent file of this kind, or one of other units.
         """
         content, digest = read_bytes(path)
-        self._units, self._source = parse_units(units), str(path)
-        self.files = {str(path): digest}
-        records = FortranRecords(content, self._source)
-        self._directory = read_directory(records, self._source)
-        remark = require_units(self._directory, self._units, units, self._source)
-        self.remarks = () if remark is None else (remark,)
-        time, data = read_instants(records, self._directory, self._source)
-        require_time_axis(time, self._source)
-        self._time = time * self._units.time
+        self.units, self.source = parse_units(units), str(path)
+        self.files = self._digests = {str(path): digest}
+        records = FortranRecords(content, self.source)
+        self._directory = read_directory(records, self.source)
+        remark = require_units(self._directory, self.units, units, self.source)
+        self._remark = remark
+        time, data = read_instants(records, self._directory, self.source)
+        require_time_axis(time, self.source)
+        self._time = time * self.units.time
         self._globals = data[:, : len(self._directory.globals_)]
         first = len(self._directory.globals_) + sum(len(v) for _, v in self._directory.parts)
         self._groups = data[:, first + self._directory.subset_width :]
         self._columns = self._named(self._titles(path))
 
-    def history(self, asked: History, dimension: str) -> Samples:
-        """Return a variable of objects, or the growth of two nodes' distance."""
-        if asked.between is not None:
-            nodes = [self._node(name) for name in asked.between]
-            grown = growth_of_distance(nodes[0], nodes[1], self._time)
-            return Samples(grown.time, grown.values * factor_of(self._units, dimension))
-        if asked.table is None:
-            raise DataError(
-                f"{self._source}: a native file has groups, no columns; map `table`, `of` and `variable`"
-            )
-        parts = [self._variable(asked.table, name, asked.variable or "") for name in asked.objects]
-        found = combined(parts, asked.combine)
-        return Samples(found.time, found.values * factor_of(self._units, dimension))
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What there is to say of the units that the file names."""
+        return () if self._remark is None else (self._remark,)
 
     def energies(self) -> Mapping[str, Samples]:
         """Return the global energies; the internal energy holds that of the springs."""
@@ -81,33 +73,35 @@ class RadiossRun:
             if number <= len(GLOBALS)
         }
         found: dict[str, Samples] = {
-            name: Samples(self._time, told[name] * self._units.energy)
+            name: Samples(self._time, told[name] * self.units.energy)
             for name in ("kinetic", "internal", "hourglass", "contact", "external work")
             if name in told
         }
         if {"kinetic", "internal"} <= told.keys():
             total = told["kinetic"] + told["internal"] + told.get("rotation", 0.0)
-            found["total"] = Samples(self._time, total * self._units.energy)
+            found["total"] = Samples(self._time, total * self.units.energy)
         for name in ("mass", "added mass"):
             if name in told:
-                found[name] = Samples(self._time, told[name] * self._units.mass)
+                found[name] = Samples(self._time, told[name] * self.units.mass)
         return found
 
-    def _variable(self, word: str, name: str, variable: str) -> Samples:
-        kind = KINDS[match_one(word, KINDS, "kind of group", self._source)]
+    def variable(self, table: str, name: str, variable: str) -> Samples:
+        """Return a variable of one object of a kind of group, by its title or id; impulses as forces."""
+        kind = KINDS[match_one(table, KINDS, "kind of group", self.source)]
         objects = self._columns.get(kind, {})
-        held = objects[match_one(name, objects, word, self._source)]
-        column = held[match_one(variable, held, "variable", f"{self._source}: {word} `{name}`")]
+        held = objects[match_one(name, objects, table, self.source)]
+        column = held[match_one(variable, held, "variable", f"{self.source}: {table} `{name}`")]
         values = self._groups[:, column]
-        require_finite(values, f"{name} {variable}", self._source)
+        require_finite(values, f"{name} {variable}", self.source)
         if is_impulse(kind, variable):
-            values = rate_of(values, self._time / self._units.time)
+            values = rate_of(values, self._time / self.units.time)
         return Samples(self._time, values)
 
-    def _node(self, name: str) -> tuple[Values, Values]:
-        displaced = np.stack([self._variable("node", name, f"D{axis}").values for axis in "XYZ"], axis=1)
-        place = np.array([self._variable("node", name, axis).values[0] for axis in "XYZ"])
-        return place - displaced[0], displaced
+    def node(self, name: str) -> NodePath:
+        """Return where a node is."""
+        displacement = np.stack([self.variable("node", name, f"D{axis}").values for axis in "XYZ"], axis=1)
+        first = np.array([self.variable("node", name, axis).values[0] for axis in "XYZ"])
+        return NodePath(self._time, first - displacement[0], displacement)
 
     def _named(self, titles: list[str]) -> dict[int, dict[str, dict[str, int]]]:
         """Return the column of each variable by kind, object (title and id) and the variable's name."""
@@ -133,7 +127,7 @@ class RadiossRun:
             return []
         used = plain if plain.exists() else packed
         content, digest = read_bytes(used)
-        self.files[str(used)] = digest
+        self._digests[str(used)] = digest
         lines = content.decode("latin-1").splitlines()
         names = [line.strip() for line in lines[1::2]]
         wanted = [

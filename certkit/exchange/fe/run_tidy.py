@@ -10,7 +10,7 @@ from certkit.definitions.units import parse_quantity
 from certkit.errors import DataError
 from certkit.exchange.fe.histories import match_one
 from certkit.exchange.fe.numeric_table import read_table
-from certkit.exchange.fe.run_histories import Samples
+from certkit.exchange.fe.run_histories import RunFiles, Samples
 from certkit.exchange.fe.unit_suffixes import SUFFIXES, time_axis
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from certkit.definitions.virtual_test import FiniteElements, History
 
 
-class TidyRun:
+class TidyRun(RunFiles):
     """Columns of one or several tables; each table has its own time axis."""
 
     def __init__(self, paths: Sequence[Path], layout: FiniteElements) -> None:

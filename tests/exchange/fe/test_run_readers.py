@@ -12,7 +12,7 @@ import pytest
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.validation import read_document
 from certkit.errors import DataError
-from certkit.exchange.fe.run_histories import growth_of_distance
+from certkit.exchange.fe.run_objects import NodePath, growth_of_distance
 from certkit.exchange.fe.run_radioss import rate_of
 from certkit.exchange.read import read_recording
 from tests.support.radioss_writer import Group, History, written
@@ -37,7 +37,7 @@ def test_the_distance_of_two_nodes_grows_by_what_they_move_apart():
     along = np.linspace(0.0, 3.0, 7)
     moved = np.stack([along, 0 * along, 0 * along], axis=1)
     start = np.array([0.0, 4.0, 0.0])
-    grown = growth_of_distance((np.zeros(3), 0 * moved), (start, moved), along)
+    grown = growth_of_distance(NodePath(along, np.zeros(3), 0 * moved), NodePath(along, start, moved))
     assert grown.values == pytest.approx(np.hypot(4.0, along) - 4.0)
 
 
