@@ -45,8 +45,9 @@ def recorded_forces(
     """
     impactors = {group.name for group in result.groups if group.kind == "impactor"}
     groups = {group.name: group for group in result.groups}
-    time = np.array(result.times)
-    axis = None if motion is None else _axis(motion)
+    clock = np.array(result.times)
+    time = clock - result.start
+    axis = None if motion is None else axis_nodes(motion)
     surface = face + thickness
     if motion is not None and axis is not None:
         surface += _clearance(result, motion, axis, surface)
@@ -68,14 +69,14 @@ def recorded_forces(
         shares = _foremost(places) if axis is None else _by_depth(places, axis, surface, thickness)
         for place, share in zip(places, shares, strict=True):
             if share.max() > 0:
-                height = np.interp(time, motion.time, place[:, 1])
+                height = np.interp(clock, motion.time, place[:, 1])
                 found.append(
-                    RecordedForce(group.name, time, force * np.interp(time, motion.time, share), height)
+                    RecordedForce(group.name, time, force * np.interp(clock, motion.time, share), height)
                 )
     return found
 
 
-def _axis(motion: NodeMotion) -> Values | None:
+def axis_nodes(motion: NodeMotion) -> Values | None:
     """Return the places of the leg's axis nodes from bottom to top, shape (nodes, instants, 2)."""
     nodes = [p for line, places in motion.places.items() if line.startswith(AXIS) for p in places.values()]
     return np.array(sorted(nodes, key=lambda p: p[0, 1])) if len(nodes) > 1 else None

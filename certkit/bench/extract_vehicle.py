@@ -78,5 +78,11 @@ def extract(
         raise DefinitionError([tree.problem(steps, said) for steps, said in error.faults]) from None
     if procedure is None:
         return result
-    checks, motion = self_checks(loaded.document, read, result, procedure=procedure, tell=tell)
-    return result.model_copy(update={"checks": checks, "motion": motion}).with_id()
+    held = self_checks(loaded.document, read, result, procedure=procedure, tell=tell)
+    further = {
+        "checks": held.checks,
+        "motion": held.motion,
+        "warnings": (*result.warnings, *held.warnings),
+        "notes": (*result.notes, *held.notes),
+    }
+    return result.model_copy(update=further).with_id()

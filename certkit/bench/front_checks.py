@@ -7,14 +7,15 @@ run a prediction and no compensation.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from certkit.bench.channel_checks import FREQUENCY_CLASS, POINTS, channel_checks, error_percent
+from certkit.bench.channel_checks import FREQUENCY_CLASS, channel_checks, error_percent
+from certkit.bench.checked_run import CheckedRun
 from certkit.bench.contact_places import recorded_forces
 from certkit.bench.front_frames import front_motion
 from certkit.bench.path_checks import path_checks
@@ -38,46 +39,19 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 PROCEDURE = "vehicle-fe-front"
-UNTIL = 0.045
-"""s: later a leg hardly touches a front."""
 FINE = 1e-4
 """s: histories of coarser steps are interpolated, since the filter of the peaks asks for more."""
 STILL = 0.1
 """Share of the largest movement of a face below which a face's error is not judged: it does not move."""
 
 
-@dataclass(frozen=True)
-class _Run:
-    """What the finite-element run says, on the uniform axis of the extraction up to the checks' end."""
+class HeldToRun(NamedTuple):
+    """Self-checks of an extraction, the frames of the coupled one, and what there is to say of them."""
 
-    result: ExtractionResult
-    data: FrontData
-    until: float
-    limit: float
-
-    @property
-    def time(self) -> Values:
-        """Return the axis, shape (n,), s."""
-        times = np.array(self.result.times)
-        return times[times <= self.until]
-
-    @property
-    def contacts(self) -> dict[str, tuple[Values, Values]]:
-        """Return impulse (N·s) and force (N) of the impactor on each group, shape (n,) each."""
-        impactors = {group.name for group in self.result.groups if group.kind == "impactor"}
-        n = self.time.size
-        return {
-            path.target: (np.array(path.impulse[:n]), np.array(path.force[:n]))
-            for path in self.result.paths
-            if path.source in impactors
-        }
-
-    @property
-    def start(self) -> float:
-        """Return the instant of first contact, s."""
-        total = sum((impulse for impulse, _ in self.contacts.values()), np.zeros_like(self.time))
-        begun = np.flatnonzero(total > 1e-6 * float(np.max(np.abs(total))))
-        return float(self.time[max(int(begun[0]) - 1, 0)]) if begun.size else 0.0
+    checks: tuple[SelfCheck, ...]
+    motion: FrontMotion | None = None
+    warnings: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 def self_checks(
@@ -87,7 +61,7 @@ def self_checks(
     *,
     procedure: str | Path = PROCEDURE,
     tell: Callable[[str], None] = lambda _: None,
-) -> tuple[tuple[SelfCheck, ...], FrontMotion | None]:
+) -> HeldToRun:
     """Hold an extraction to its run.
 
     Parameters
@@ -103,27 +77,25 @@ def self_checks(
 
     Returns
     -------
-    tuple of SelfCheck
-        The front alone; where the run tells what its leg did, also the leg alone and both.
-    FrontMotion or None
-        Of the last; None where there is none.
+    HeldToRun
+        The front alone; where the run tells what its leg did, also the leg alone and both. The leg flies as
+        in the run, whatever the procedure says.
 
     A run that does not come to its end is a check that failed, and says why.
     """
-    settings = case.settings
-    until = UNTIL if settings.check_until is None else float(settings.check_until)
-    run = _Run(result, data, min(until, result.times[-1]), settings.movement_limit)
+    run = CheckedRun(result, data, case.settings)
     if not any(group.position is not None for group in result.groups) or not run.contacts:
-        return (), None
+        return HeldToRun(())
     with TemporaryDirectory() as folder:
         vehicle = Path(folder) / "vehicle.yaml"
         vehicle.write_text(vehicle_text(result), encoding="utf-8")
         setup = prepare(procedure, overrides={"vehicle": str(vehicle)})
-    axis = _axis(run)[:2]
+        setup = prepare(procedure, overrides={"vehicle": str(vehicle), **run.flight(setup.procedure)})
+    axis = run.axis[:2]
     tell("self-check: the front alone")
     checks = [tried("front alone", axis, run.until, lambda: _front_alone(run, setup))]
     if not data.histories.leg:  # the impactor was no leg, or nothing is known of it
-        return tuple(checks), None
+        return HeldToRun(tuple(checks))
     tell("self-check: the leg alone")
     checks.append(tried("leg alone", axis, run.until, lambda: _leg_alone(run, setup)))
     tell("self-check: leg and front")
@@ -134,40 +106,46 @@ def self_checks(
         return check
 
     checks.append(tried("coupled", axis, run.until, coupled))
-    return tuple(checks), motions[0]
+    warnings, notes = run.flight_remarks(setup.procedure, setup.legform)
+    return HeldToRun(tuple(checks), motions[0], tuple(warnings), tuple(notes))
 
 
-def _front_alone(run: _Run, setup: Setup) -> SelfCheck:
+def _front_alone(run: CheckedRun, setup: Setup) -> SelfCheck:
     from certkit.mechanics.recorded_drive import drive_front  # noqa: PLC0415  # a solver, only here
 
     if setup.vehicle is None:
         raise ValueError("a front is checked with a procedure that hits a vehicle")
     forces = recorded_forces(run.result, None, face=0.0, thickness=1.0)
-    driven = drive_front(setup.vehicle, forces, run.until)
-    moved = {name: np.interp(run.time, driven.time, x) for name, x in driven.displacement.items()}
+    driven = drive_front(setup.vehicle, forces, run.until - run.result.start)
+    axis = driven.time + run.result.start
+    moved = {name: np.interp(run.time, axis, x) for name, x in driven.displacement.items()}
     return _checked(run, "front alone", moved)
 
 
-def _leg_alone(run: _Run, setup: Setup) -> SelfCheck:
+def _leg_alone(run: CheckedRun, setup: Setup) -> SelfCheck:
     from certkit.mechanics import simulate  # noqa: PLC0415  # a solver, only here
 
     flesh = setup.legform.flesh
     half = 0.5 * max(float(bone.depth) for bone in setup.legform.parts.values())
     face = half if flesh.face is None else float(flesh.face)
     forces = recorded_forces(run.result, run.data.motion, face=face, thickness=float(flesh.thickness))
+    # Smoothing spreads the first force a little ahead of contact, and histories may hold noise.
+    early = np.array(run.result.times) < run.start
+    forces = [replace(force, force=np.where(early, 0.0, force.force)) for force in forces]
     done = simulate(setup.procedure, setup.legform, driven=forces)
-    start, interval, _ = _axis(run)
+    start, interval, _ = run.axis
+    begun = run.result.start + done.run.contact
     return SelfCheck(
         id="leg alone",
         title=TITLES["leg alone"],
         start=start,
         interval=interval,
         until=run.until,
-        channels=channel_checks(run.data, done, start=run.start, until=run.until),
+        channels=channel_checks(run.data, done, start=begun, until=run.until),
     )
 
 
-def _coupled(run: _Run, setup: Setup) -> tuple[SelfCheck, FrontMotion | None]:
+def _coupled(run: CheckedRun, setup: Setup) -> tuple[SelfCheck, FrontMotion | None]:
     from certkit.mechanics import simulate  # noqa: PLC0415  # a solver, only here
 
     done = simulate(setup.procedure, setup.legform, vehicle=setup.vehicle)
@@ -202,7 +180,7 @@ def _coupled(run: _Run, setup: Setup) -> tuple[SelfCheck, FrontMotion | None]:
     ]
     wrong = sum(abs((g.impulse or 0.0) - (g.run_impulse or 0.0)) for g in check.groups)
     channels = channel_checks(run.data, done, start=run.start, until=run.until)
-    every = _axis(run)[2]
+    every = run.axis[2]
     paths = path_checks(run.result, setup.vehicle, done, start=run.start, time=run.time, every=every)
     motion = front_motion(
         run.result, run.data.motion, done, setup.legform, moved, channels, time=run.time, start=run.start
@@ -221,11 +199,11 @@ def _coupled(run: _Run, setup: Setup) -> tuple[SelfCheck, FrontMotion | None]:
 
 
 def _checked(
-    run: _Run, key: str, moved: Mapping[str, Values], forces: Mapping[str, Values] | None = None
+    run: CheckedRun, key: str, moved: Mapping[str, Values], forces: Mapping[str, Values] | None = None
 ) -> SelfCheck:
     """Compare the groups' movement, and the impulse and work on each where the forces are known."""
     interval = float(run.time[1] - run.time[0])
-    start, thinned, every = _axis(run)
+    start, thinned, every = run.axis
     groups = []
     for group in run.result.groups:
         if group.name not in moved:
@@ -269,18 +247,12 @@ def _checked(
         groups=tuple(sorted(groups, key=lambda g: (g.name not in faces, -g.rms_percent))),
         mean_percent=float(np.mean(judged)) if judged else None,
         worst_percent=worst,
-        within=None if worst is None else worst <= run.limit,
+        within=None if worst is None else worst <= run.settings.movement_limit,
     )
 
 
-def _judged(run: _Run, groups: list[GroupCheck]) -> set[str]:
+def _judged(run: CheckedRun, groups: list[GroupCheck]) -> set[str]:
     """Return the faces that move."""
     faces = {group.name for group in run.result.groups if group.position is not None}
     most = max((g.run_peak for g in groups if g.name in faces), default=0.0)
     return {g.name for g in groups if g.name in faces and g.run_peak >= STILL * most}
-
-
-def _axis(run: _Run) -> tuple[float, float, int]:
-    """Return start and interval of the series that are kept, and of how many instants one is."""
-    every = max(1, run.time.size // POINTS)
-    return float(run.time[0]), float(run.time[1] - run.time[0]) * every, every

@@ -196,7 +196,8 @@ class Settings(Section):
         Field(gt=0, le=1000, description="Per cent of its largest movement by which a face may err (rms)."),
     ] = 50.0
     check_until: Annotated[
-        Time | None, Field(description="End of the self-checks from the run's start; 45 ms when missing.")
+        Time | None,
+        Field(description="End of the self-checks on the run's clock; 44 ms after contact when missing."),
     ] = None
     closure_limit: Annotated[
         float, Field(gt=0, le=100, description="Per cent of a path's impulse above which it is warned of.")

@@ -6,8 +6,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from certkit.bench.channel_checks import channel_checks
+from certkit.bench.checked_run import CheckedRun
 from certkit.bench.contact_places import recorded_forces
-from certkit.bench.front_checks import PROCEDURE, UNTIL
+from certkit.bench.front_checks import PROCEDURE
 from certkit.bench.setup import prepare
 from certkit.definitions.loading.library import load
 from certkit.definitions.loading.search_path import shipped_root
@@ -37,17 +38,13 @@ def heights_table(front: str, tell: Callable[[str], None]) -> str:
     forces = recorded_forces(
         result, data.motion, face=float(flesh.face or 0.0), thickness=float(flesh.thickness)
     )
-    total = sum(path.impulse[-1] for path in result.paths if path.source == "leg")
-    begun = next(
-        time
-        for k, time in enumerate(result.times)
-        if sum(path.impulse[k] for path in result.paths if path.source == "leg") > 1e-6 * total
-    )
+    run = CheckedRun(result, data, document.settings)
     columns = []
     for by in MOVED:
         moved = [replace(force, height=force.height + by) for force in forces]
         done = simulate(setup.procedure, setup.legform, driven=moved)
-        columns.append({c.name: c for c in channel_checks(data, done, start=begun, until=UNTIL)})
+        begun = result.start + done.run.contact
+        columns.append({c.name: c for c in channel_checks(data, done, start=begun, until=run.until)})
     rows = [
         (
             name,
