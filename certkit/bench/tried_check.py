@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 TITLES = {
     "front alone": "The front alone, driven by the run's contact forces",
     "leg alone": "The leg alone, driven by the run's contact forces",
+    "contact alone": "The contact alone, leg and front led along the run's motion",
     "coupled": "Leg and front together",
 }
 

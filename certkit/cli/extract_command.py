@@ -54,8 +54,8 @@ def extract(
     """Extract a lumped vehicle from finite-element histories, by momentum and impulse.
 
     Writes the vehicle document, the extraction result and a report with the force, shortening and stiffness
-    of every load path. The front alone, the leg alone and both together are then held to the run. Use the
-    vehicle with `certkit run --procedure vehicle --set vehicle=FOLDER/vehicle.yaml`.
+    of every load path. The front, the leg and their contact, each alone, and all together are then held to
+    the run. Use the vehicle with `certkit run --procedure vehicle --set vehicle=FOLDER/vehicle.yaml`.
 
     Exit codes: 0 the impulse closes and the front moves as in its run; 1 the impulse of a path does not
     close (then no vehicle is written, unless with `--unclosed`); 2 wrong usage or data; 3 a self-check is
@@ -162,6 +162,7 @@ def _show(result: ExtractionResult) -> None:
     from certkit.reporting.extraction_text import (  # noqa: PLC0415  # not for `--help`
         channels_table,
         check_sentence,
+        left_out,
     )
 
     table = channels_table(result)
@@ -169,3 +170,6 @@ def _show(result: ExtractionResult) -> None:
         typer.echo(f"\n{table}\n")
     for check in result.checks:
         typer.echo(check_sentence(check))
+    missing = left_out(result)
+    if missing:
+        typer.echo(missing)

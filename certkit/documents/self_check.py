@@ -1,4 +1,4 @@
-"""`SelfCheck`: an extraction held to the run that it came from; the front alone, the leg alone, and both."""
+"""`SelfCheck`: an extraction held to its run; the front, the leg, the contact alone, and all together."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from certkit.documents.rounding import Figure, FigureTuple
 class GroupCheck(Part):
     """A group in a self-check: largest movement (m), rms error of its movement over that of the run (%).
 
-    In the coupled run also the contact: its force over time (N), its impulse (N·s) and its work on the group
-    (J).
+    In the coupled run and in the contact alone also the contact: its force over time and its largest (N), its
+    rms error over the run's largest (%), its impulse (N·s) and its work on the group (J).
     """
 
     name: str
@@ -28,6 +28,9 @@ class GroupCheck(Part):
     work: Figure | None = None
     run_work: Figure | None = None
     force: FigureTuple = ()
+    force_peak: Figure | None = None
+    run_force_peak: Figure | None = None
+    force_rms_percent: Figure | None = None
 
 
 class ChannelCheck(Part):
@@ -87,12 +90,14 @@ class SelfCheck(Part):
     Parameters
     ----------
     id : str
-        `front alone` (driven by the run's contact forces), `leg alone` (likewise) or `coupled`.
+        `front alone` (driven by the run's contact forces), `leg alone` (likewise), `contact alone` (leg and
+        front led along the run's motion) or `coupled`.
     title : str
     start, interval, until : float
         Time axis of the series, from the run's start; the end of the comparison, s.
     groups : tuple of GroupCheck
-        Faces that move first, the worst of them at the head.
+        Faces that move first, the worst of them at the head; in the contact alone those whose contact force
+        is worst.
     channels : tuple of ChannelCheck
         The worst first.
     mean_percent, worst_percent : float or None

@@ -9,8 +9,12 @@ if TYPE_CHECKING:
     from certkit.documents.self_check import GroupCheck, SelfCheck
 
 
+CONTACT = "contact alone"
+CONTACT_LEFT_OUT = "The contact alone was not checked: the run does not tell how the leg's axis moved."
+
+
 def check_of(result: ExtractionResult, key: str) -> SelfCheck | None:
-    """Return the check `front alone`, `leg alone` or `coupled`; None where it was not made."""
+    """Return a check by its id, see `SelfCheck`; None where it was not made."""
     return next((check for check in result.checks if check.id == key), None)
 
 

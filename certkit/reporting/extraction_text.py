@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.reporting.channel_names import channel_words
+from certkit.reporting.coupled_check import CONTACT, CONTACT_LEFT_OUT, check_of
 
 if TYPE_CHECKING:
     from certkit.documents.extraction import ExtractionResult
@@ -50,6 +51,12 @@ def check_sentence(check: SelfCheck) -> str:
             f"{worst.name} moves {1e3 * worst.peak:.0f} mm, in the run {1e3 * worst.run_peak:.0f} mm "
             f"({worst.rms_percent:.0f} % rms); faces in the mean {check.mean_percent:.0f} %"
         )
+    elif check.id == CONTACT and check.groups and check.groups[0].force_peak is not None:
+        worst = check.groups[0]
+        said.append(
+            f"{worst.name} is pressed on with {1e-3 * (worst.force_peak or 0.0):.1f} kN, in the run "
+            f"{1e-3 * (worst.run_force_peak or 0.0):.1f} kN ({worst.force_rms_percent or 0.0:.0f} % rms)"
+        )
     for what, value in (
         ("contact force", check.force_percent),
         ("impulse", check.impulse_percent),
@@ -65,3 +72,10 @@ def check_sentence(check: SelfCheck) -> str:
         channel = max(check.channels, key=lambda c: abs(c.error_percent))
         said.append(f"worst peak {channel_words(channel.name)}, {channel.error_percent:+.1f} %")
     return f"{check.title}: {'; '.join(said)}"
+
+
+def left_out(result: ExtractionResult) -> str | None:
+    """Say which self-check was left out though a leg was told of, and why."""
+    if check_of(result, "coupled") is None or check_of(result, CONTACT) is not None:
+        return None
+    return CONTACT_LEFT_OUT

@@ -15,6 +15,7 @@ from certkit.reporting.charts.paired_bars import bars_of
 from certkit.reporting.charts.run_and_model import leg_colours, run_and_model
 from certkit.reporting.charts.spring_curves import farther, path_check, reach, spring_chart
 from certkit.reporting.coupled_check import check_of, group_of, worst_group
+from certkit.reporting.extraction_text import left_out
 from certkit.reporting.language import ENGLISH, language
 
 if TYPE_CHECKING:
@@ -78,6 +79,7 @@ class ExtractionView:
     groups: list[GroupView]
     channels: list[ChannelView]
     checks: list[tuple[SelfCheck, list[ChannelView]]]
+    contact_left_out: str | None
     profile: Drawing | None
     sketches: list[Drawing]
     bars: list[Drawing]
@@ -116,6 +118,7 @@ def extraction_view(result: ExtractionResult, spoken: str = ENGLISH) -> Extracti
         if told
         else [],
         checks=[(check, [_channel(c, None, t) for c in check.channels]) for check in result.checks],
+        contact_left_out=left_out(result),
         profile=face_profiles(result, fronts, t) if fronts and fronts.groups else None,
         sketches=sketches(result, t),
         bars=bars_of(result, t),

@@ -106,6 +106,16 @@ def test_the_stiffener_loads_the_two_faces_before_it_as_in_the_run(checks: dict[
         assert groups[name].impulse == pytest.approx(groups[name].run_impulse, rel=0.15)
 
 
+def test_the_contact_alone_is_held_to_the_run_where_leg_and_front_move_as_in_it(
+    checks: dict[str, SelfCheck],
+) -> None:
+    contact = checks["contact alone"]
+    assert {g.name for g in contact.groups if g.force_rms_percent is not None} == FACES
+    assert max(g.rms_percent for g in contact.groups) < 0.1
+    assert contact.wrong_group_percent is not None
+    assert contact.wrong_group_percent < 25
+
+
 def test_each_group_takes_its_own_impulse(checks: dict[str, SelfCheck]) -> None:
     assert checks["coupled"].wrong_group_percent is not None
     assert checks["coupled"].wrong_group_percent < 10

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import json
 import re
+from html import unescape
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -12,11 +13,13 @@ from support.synthetic_result import parsed
 from certkit.documents.extraction import ExtractionResult
 from certkit.documents.front_motion import MovingLine
 from certkit.reporting.charts.extraction_charts import momentum_chart
+from certkit.reporting.charts.group_response import contact
 from certkit.reporting.charts.load_paths import sketches
 from certkit.reporting.charts.paired_bars import bars_of
 from certkit.reporting.charts.run_and_model import draw
 from certkit.reporting.charts.spring_curves import spring_chart
 from certkit.reporting.extraction_report import extraction_page
+from certkit.reporting.extraction_text import check_sentence, left_out
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -183,6 +186,27 @@ def test_the_front_alone_is_shown_where_the_impactor_was_no_leg(extraction: Extr
     assert "Worst group: F2" in html
     assert "front alone" in html
     assert "Moments and ligaments" not in html
+
+
+def test_the_contact_alone_is_drawn_beside_run_and_model(extraction: ExtractionResult, html: str) -> None:
+    drawn = contact(extraction, "F2")
+    assert drawn is not None
+    assert "contact alone" in drawn.body
+    row = html.partition('<tr><th scope="row">The contact alone')[2].partition("</tr>")[0]
+    assert "F2&nbsp;29.0&nbsp;%" in row
+    check = next(check for check in extraction.checks if check.id == "contact alone")
+    assert "F2 is pressed on with 2.9 kN, in the run 3.2 kN (29 % rms); contact force +4.0 %" in (
+        check_sentence(check)
+    )
+    assert left_out(extraction) is None
+
+
+def test_a_run_that_does_not_tell_how_its_leg_moved_says_so(extraction: ExtractionResult) -> None:
+    checks = tuple(check for check in extraction.checks if check.id != "contact alone")
+    without = extraction.model_copy(update={"checks": checks}).with_id()
+    said = left_out(without)
+    assert said is not None
+    assert said in unescape(extraction_page(without))
 
 
 def test_the_bars_beside_the_leg_are_the_contact_forces_of_the_document(

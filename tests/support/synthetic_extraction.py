@@ -88,7 +88,16 @@ def path(name: str, force: float, depth: float, *, contact: bool = False, sheet:
 def group_check(name: str, depth: float, error: float, *, contact: float = 0.0) -> GroupCheck:
     """Return a group that moves by a share too much, and of a face what pressed on it."""
     more = (
-        {"impulse": 22.0, "run_impulse": 20.0, "work": 40.0, "run_work": 38.0, "force": scaled(contact)}
+        {
+            "impulse": 22.0,
+            "run_impulse": 20.0,
+            "work": 40.0,
+            "run_work": 38.0,
+            "force": scaled(contact),
+            "force_peak": contact,
+            "run_force_peak": 1.1 * contact,
+            "force_rms_percent": 0.01 * contact,
+        }
         if contact
         else {}
     )
@@ -212,6 +221,20 @@ def extraction() -> ExtractionResult:
                 interval=1e-3,
                 until=0.045,
                 channels=(channel_check("T1", 300.0, -0.05), channel_check("MCL", 0.02, 0.02)),
+            ),
+            SelfCheck(
+                id="contact alone",
+                title="The contact alone, leg and front led along the run's motion",
+                start=0.0,
+                interval=1e-3,
+                until=0.045,
+                groups=(
+                    group_check("F2", 0.08, 0.0, contact=2900.0),
+                    group_check("F1", 0.06, 0.0, contact=1300.0),
+                ),
+                force_percent=4.0,
+                impulse_percent=2.0,
+                wrong_group_percent=5.0,
             ),
             SelfCheck(
                 id="coupled",

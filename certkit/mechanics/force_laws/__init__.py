@@ -23,6 +23,7 @@ _FILES = (
     "sheet_link",
     "recorded_contact",
     "sliding_guide",
+    "recorded_motion",
 )
 
 

@@ -31,18 +31,8 @@ def front_response(rig: RigAssembly, run: Trajectory, readings: Mapping[str, Flo
     first = int(np.searchsorted(run.time, run.contact - 1e-12))
     time = run.time[first:] - run.time[first]
     every = max(1, -(-len(time) // MOST_POINTS_OF_FRONT))
-    contact: dict[str, Floats] = {}
-    for k, strip in enumerate(rig.front.strips):
-        force = readings[f"strip {k} force"][first:]
-        for name, share in ((strip.lower, 1 - strip.share), (strip.upper, strip.share)):
-            if share > 0:
-                contact[name] = contact.get(name, 0.0) + share * force
-    for k, (group, partner, of_partner) in enumerate(rig.front.folding):
-        force = readings[f"folding strip {k} force"][first:]
-        for name, share in ((group, 1 - of_partner), (partner, of_partner)):
-            if share > 0:
-                contact[name] = contact.get(name, 0.0) + share * force
-    touched = {name: force for name, force in contact.items() if force.max() > 0}
+    contact = contact_by_group(rig, readings)
+    touched = {name: force[first:] for name, force in contact.items() if force[first:].max() > 0}
     offset = run.tracks.shape[1] - len(rig.front.groups)
     displacement = {
         name: run.tracks[first:, offset + k, 0] - run.tracks[0, offset + k, 0]
@@ -72,6 +62,22 @@ def front_response(rig: RigAssembly, run: Trajectory, readings: Mapping[str, Flo
         received={name: float(np.trapezoid(force, displacement[name])) for name, force in touched.items()},
         absorbed={name: float(np.trapezoid(force, x)) for name, (x, force) in springs.items()},
     )
+
+
+def contact_by_group(rig: RigAssembly, readings: Mapping[str, Floats]) -> dict[str, Floats]:
+    """Return the leg's force on each group of the front, N, shape (samples,)."""
+    front = rig.front
+    contact: dict[str, Floats] = {}
+    if front is None:
+        return contact
+    strips = [(f"strip {k}", s.lower, s.upper, s.share) for k, s in enumerate(front.strips)]
+    strips += [(f"folding strip {k}", *of) for k, of in enumerate(front.folding)]
+    for strip, group, partner, of_partner in strips:
+        force = readings[f"{strip} force"]
+        for name, share in ((group, 1 - of_partner), (partner, of_partner)):
+            if share > 0:
+                contact[name] = contact.get(name, 0.0) + share * force
+    return contact
 
 
 def _curve(shortening: Floats, force: Floats) -> CurveInPlane:

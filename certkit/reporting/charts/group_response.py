@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.reporting.charts.chosen import chosen
 from certkit.reporting.charts.grid import together
 from certkit.reporting.charts.lines import Line, lines_chart
-from certkit.reporting.coupled_check import check_of, check_times, group_of
+from certkit.reporting.coupled_check import CONTACT, check_of, check_times, group_of
 from certkit.reporting.language import Translate, english
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def movement(result: ExtractionResult, name: str, t: Translate = english) -> Dra
 
 
 def contact(result: ExtractionResult, name: str, t: Translate = english) -> Drawing | None:
-    """Draw the leg's force on a group in run and coupled model; None for one that is not touched."""
+    """Draw the leg's force on a group in run, model and contact alone; None for one that is not touched."""
     check = check_of(result, "coupled")
     own = group_of(check, name)
     path = contact_path(result, name)
@@ -68,6 +68,10 @@ def contact(result: ExtractionResult, name: str, t: Translate = english) -> Draw
         (t("run"), [1e3 * result.times[k] for k in kept], run),
         (t("model"), check_times(check, len(own.force)), own.force),
     ]
+    led = check_of(result, CONTACT)
+    alone = group_of(led, name)
+    if led and alone and alone.force:
+        lines.append((t(CONTACT), check_times(led, len(alone.force)), alone.force))
     return lines_chart(
         lines,
         t("{impactor} on {name}", impactor=path.source[0].upper() + path.source[1:], name=name),
