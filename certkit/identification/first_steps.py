@@ -67,6 +67,7 @@ def first_steps(case: Case, data: FrontData) -> FirstSteps:
             "; let the run go on, or correct `until`"
         )
     moved = group_displacements(case, graph, histories, grid)
+    kinds = {name: group.kind for name, group in case.groups.items()}
     return FirstSteps(
         case,
         data,
@@ -76,5 +77,5 @@ def first_steps(case: Case, data: FrontData) -> FirstSteps:
         group_masses(graph, histories),
         flows(graph, momenta, histories, grid),
         moved,
-        {} if data.motion is None else folding_outlines(graph, data.motion, moved, grid),
+        {} if data.motion is None else folding_outlines(graph, kinds, data.motion, moved, grid),
     )

@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
     from numpy.typing import NDArray
 
     from certkit.exchange.fe.node_motion import NodeMotion
@@ -49,13 +51,15 @@ class FoldingOutlines:
 
 
 def folding_outlines(
-    graph: Graph, motion: NodeMotion, displacements: dict[str, Values], grid: Grid
+    graph: Graph, kinds: Mapping[str, str], motion: NodeMotion, displacements: dict[str, Values], grid: Grid
 ) -> dict[str, FoldingOutlines]:
     """Return the outlines of every group whose parts have nodes on the middle line.
 
     Parameters
     ----------
     graph : Graph
+    kinds : mapping of str to str
+        Of each group. A face goes on to the next one of its own kind: fascia and hood are two sheets.
     motion : NodeMotion
     displacements : dict of str to ndarray, shape (n,)
         Of each group on the grid's axis, m.
@@ -66,14 +70,17 @@ def folding_outlines(
         nodes = [place for part in parts for place in motion.places.get(part, {}).values()]
         if len(nodes) > 1 and name in displacements:
             chains[name] = np.array(sorted(nodes, key=lambda p: (p[0, 1], p[0, 0])))
-    joined = {name: _to_next(chain, chains) for name, chain in chains.items()}
+    joined = {
+        name: _to_next(chain, [other for own, other in chains.items() if kinds[own] == kinds[name]])
+        for name, chain in chains.items()
+    }
     return {name: _outlines(chain, motion.time, displacements[name], grid) for name, chain in joined.items()}
 
 
-def _to_next(chain: Values, chains: dict[str, Values]) -> Values:
+def _to_next(chain: Values, chains: Iterable[Values]) -> Values:
     """Lead a face on to the first node of the group above it, whose nodes its last piece shares."""
     own = np.hypot(*np.diff(chain[:, 0], axis=0).T).max()
-    gaps = [(float(np.hypot(*(other[0, 0] - chain[-1, 0]))), other[0]) for other in chains.values()]
+    gaps = [(float(np.hypot(*(other[0, 0] - chain[-1, 0]))), other[0]) for other in chains]
     near = min((gap for gap in gaps if gap[0] > 0), key=lambda gap: gap[0], default=None)
     if near is None or near[0] > REACH * own or near[1][0, 1] < chain[-1, 0, 1]:
         return chain

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from certkit.exchange.fe.node_motion import NodeMotion
 from certkit.identification.folding_outlines import TOLERANCE, FoldingOutlines, folding_outlines
@@ -21,7 +22,7 @@ def outlines_of(bulge: np.ndarray, moved: np.ndarray = MOVED) -> FoldingOutlines
     }
     graph = Graph({"F1": ("part",)}, ())
     motion = NodeMotion(TIME, {"part": places})
-    return folding_outlines(graph, motion, {"F1": moved}, Grid(TIME, TIME, 1e-3))["F1"]
+    return folding_outlines(graph, {"F1": "fascia"}, motion, {"F1": moved}, Grid(TIME, TIME, 1e-3))["F1"]
 
 
 def test_a_fold_that_opens_at_once_is_kept_where_a_stiff_face_needs_two_outlines() -> None:
@@ -43,3 +44,23 @@ def test_outlines_stand_in_rising_order_though_the_group_comes_back_beyond_its_p
     assert np.all(np.diff(found.shares) > 0)
     assert found.shares.min(initial=1.0) >= 0
     assert found.shares.max(initial=0.0) < 1
+
+
+def test_a_face_leads_on_to_the_next_of_its_sheet_whatever_lies_nearer_to_it() -> None:
+    """Behind a spoiler lies its stiffener, above a grille the hood's edge: nearer, and other sheets."""
+    places = {
+        "lower": [(0.0, 0.1), (0.0, 0.2)],
+        "upper": [(0.0, 0.3), (0.0, 0.4)],
+        "stiffener": [(0.05, 0.21), (0.05, 0.24)],
+        "hood": [(0.05, 0.41), (0.2, 0.45)],
+    }
+    still = {
+        part: {f"{part} {k}": np.tile(place, (TIME.size, 1)) for k, place in enumerate(nodes)}
+        for part, nodes in places.items()
+    }
+    kinds = {"lower": "fascia", "upper": "fascia", "stiffener": "engine room", "hood": "hood"}
+    graph = Graph({name: (name,) for name in kinds}, ())
+    moved = dict.fromkeys(kinds, 0.0 * TIME)
+    found = folding_outlines(graph, kinds, NodeMotion(TIME, still), moved, Grid(TIME, TIME, 1e-3))
+    assert found["lower"].pushed[0, -1] == pytest.approx(places["upper"][0])
+    assert found["upper"].pushed[0, -1] == pytest.approx(places["upper"][1])

@@ -1,4 +1,4 @@
-"""The shipped finite-element front with its run told otherwise: higher above the ground, later, at a speed."""
+"""The shipped finite-element front with its run told otherwise: higher above the ground, or later."""
 
 from __future__ import annotations
 
