@@ -6,9 +6,9 @@ where the leg presses wanders over a group, and from group to group, as the face
 another strip, or a flange behind the face, only the one in front is met. Force on a strip as in
 `face_contact`.
 
-A load beside the edge of two groups is on both of them, in the strip's share. What the outline's own change
-takes up, contact force times the strip's movement against its group, and what the two groups move against
-each other, is counted as dissipated: it is work on the folding face.
+A load between the last node of a group and the first of the next is on both of them, in the strip's share.
+What the outline's own change takes up, contact force times the strip's movement against its group, and what
+the two groups move against each other, is counted as dissipated: it is work on the folding face.
 
 Source: step 4 of the seed paper (section 3) measures the front that the leg bends to; the outline says where
 that front is.
