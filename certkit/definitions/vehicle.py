@@ -30,7 +30,9 @@ class Group(Section):
 
     A face is flat (`low`, `high`, `position`, `slope`) and moves as a whole with its group, or it has
     `outlines`: where each of its points stands at several displacements of the group while it is pushed in,
-    and `springing back`, with the largest displacement of `outlines`, while it comes back.
+    and `springing back`, with the largest displacement of `outlines`, while it comes back. Where the last
+    point of a face is the first of another, it belongs to that other: a load between two points is on each in
+    the measure of how near it is.
     """
 
     kind: Annotated[

@@ -113,24 +113,26 @@ def test_the_contact_alone_is_held_to_the_run_where_leg_and_front_move_as_in_it(
     assert {g.name for g in contact.groups if g.force_rms_percent is not None} == FACES
     assert max(g.rms_percent for g in contact.groups) < 0.1
     assert contact.wrong_group_percent is not None
-    assert contact.wrong_group_percent < 25
+    assert contact.wrong_group_percent < 18
 
 
 def test_each_group_takes_its_own_impulse(checks: dict[str, SelfCheck]) -> None:
     assert checks["coupled"].wrong_group_percent is not None
-    assert checks["coupled"].wrong_group_percent < 8
+    assert checks["coupled"].wrong_group_percent < 5
 
 
 @pytest.mark.parametrize("channel", ["T1", "T2", "T3", "T4", "F1", "F2", "F3", "MCL", "ACL", "PCL"])
-def test_the_front_bends_its_leg_as_the_forces_of_the_run_do_though_nothing_was_fitted_to_it(
+def test_the_front_bends_its_leg_as_in_the_run_though_nothing_was_fitted_to_it(
     checks: dict[str, SelfCheck], channel: str
 ) -> None:
     alone, coupled = (
         next(c for c in checks[check].channels if c.name == channel) for check in ("leg alone", "coupled")
     )
-    assert coupled.peak == pytest.approx(alone.peak, rel=0.2)
+    assert coupled.peak == pytest.approx(coupled.run_peak, rel=0.10)
+    assert coupled.time == pytest.approx(coupled.run_time, abs=2.5e-3)
     assert coupled.rms_percent < 10
-    assert coupled.peak == pytest.approx(coupled.run_peak, rel=0.12)
+    assert alone.peak == pytest.approx(coupled.run_peak, rel=0.15)
+    assert alone.rms_percent < 10
 
 
 def test_an_extraction_says_that_it_closes_and_can_be_trusted(result: ExtractionResult) -> None:
