@@ -151,8 +151,13 @@ class Path(Section):
     """A load path: what pushes from the first group to the second, and how its force is known."""
 
     between: Annotated[list[str], Field(min_length=2, max_length=2)]
-    contact: Annotated[str | None, Field(description="Recorded contact in this path.")] = None
-    spring: Annotated[str | None, Field(description="Recorded spring to the ground in this path.")] = None
+    contact: Annotated[
+        list[str] | str | None, Field(description="Recorded contact in this path; of several the sum.")
+    ] = None
+    spring: Annotated[
+        list[str] | str | None,
+        Field(description="Recorded spring to the ground in this path; of several the sum."),
+    ] = None
     tension: Annotated[bool, Field(description="Whether it can also pull: sheets, bolts.")] = False
     law: Annotated[bool, Field(description="False: no stiffness is wanted, the groups touch freely.")] = True
     start: Annotated[Length | None, Field(description="Initial clearance, where the geometry tells it.")] = (

@@ -113,8 +113,8 @@ def flows(graph: Graph, momenta: dict[str, Values], histories: PartHistories, gr
     DataError
         When paths branch and join again with too few recorded contacts to tell how the load divides.
     """
-    contacts = {link.name: _contact_impulse(link, histories, grid) for link in graph.links if link.contact}
-    springs = {link.name: _spring_impulse(link, histories, grid) for link in graph.links if link.spring}
+    contacts = {link.name: _contact_impulse(link, histories, grid) for link in graph.links if link.contacts}
+    springs = {link.name: _spring_impulse(link, histories, grid) for link in graph.links if link.springs}
     recorded: dict[str, Values] = dict(springs)
     if not _determinate([link for link in graph.links if link.name not in recorded], graph):
         recorded.update(contacts)
@@ -137,10 +137,10 @@ def flows(graph: Graph, momenta: dict[str, Values], histories: PartHistories, gr
             passed = float(max(np.max(np.abs(contact)), np.max(np.abs(impulse))))
             if passed > 0:  # where neither side shows an impulse, nothing closes
                 closures.insert(0, Closure(title, float(np.max(np.abs(contact - impulse))), passed))
-        known = BY_MOMENTUM if link.name in solved else BY_SPRING if link.spring else BY_CONTACT
+        known = BY_MOMENTUM if link.name in solved else BY_SPRING if link.springs else BY_CONTACT
         force = (
-            grid.smooth(grid.resample(histories.spring(link.spring).force))
-            if link.spring is not None
+            grid.smooth(grid.resample(_spring_force(link, histories)))
+            if link.springs
             else grid.derivative(impulse)
         )
         reference = None if contact is None else np.gradient(contact, grid.step)
@@ -149,21 +149,27 @@ def flows(graph: Graph, momenta: dict[str, Values], histories: PartHistories, gr
 
 
 def _contact_impulse(link: Link, histories: PartHistories, grid: Grid) -> Values:
-    """Return what a contact has passed on.
+    """Return what a path's contacts have passed on.
 
     A contact only pushes, so its impulse flows from the first to the second group, whatever sign the file
     gives.
     """
-    impulse = grid.resample(histories.contact(str(link.contact)).impulse)
-    impulse = impulse - impulse[0]
-    largest = impulse[int(np.argmax(np.abs(impulse)))]
-    return np.asarray(-impulse if largest < 0 else impulse)
+    total = np.zeros_like(grid.time)
+    for name in link.contacts:
+        impulse = grid.resample(histories.contact(name).impulse)
+        impulse = impulse - impulse[0]
+        largest = impulse[int(np.argmax(np.abs(impulse)))]
+        total = total + (-impulse if largest < 0 else impulse)
+    return total
+
+
+def _spring_force(link: Link, histories: PartHistories) -> Values:
+    return np.asarray(sum(histories.spring(name).force for name in link.springs))
 
 
 def _spring_impulse(link: Link, histories: PartHistories, grid: Grid) -> Values:
-    spring = histories.spring(str(link.spring))
-    time = histories.time
-    steps = 0.5 * (spring.force[1:] + spring.force[:-1]) * np.diff(time)
+    force = _spring_force(link, histories)
+    steps = 0.5 * (force[1:] + force[:-1]) * np.diff(histories.time)
     return grid.resample(np.concatenate([[0.0], np.cumsum(steps)]))
 
 

@@ -6,8 +6,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.exchange.fe.histories import match_one
+
 if TYPE_CHECKING:
     from certkit.identification.first_steps import FirstSteps
+
+MISSED = 0.1
+"""Share of what is missing below which a record that no path names is not the reason."""
+MOST_NAMED = 4
 
 STILL_PUSHING = 0.1
 """Share of the largest force of the impactor above which histories end in the middle of the impact."""
@@ -48,16 +54,39 @@ def end_warnings(steps: FirstSteps) -> list[str]:
 
 
 def closure_warnings(steps: FirstSteps) -> list[str]:
-    """Return a warning for each balance that misses the limit."""
+    """Return a warning for each balance that misses the limit, and what was recorded and is in no path."""
     limit = steps.case.settings.closure_limit
     seen: dict[str, str] = {}
+    largest = 0.0
     for flow in steps.flows:
         for closure in flow.closures:
             if closure.percent > limit:
+                largest = max(largest, closure.residual)
                 seen[closure.title] = (
                     f"impulse does not close: {closure.title}: {closure.residual:.3g} N·s of "
                     f"{closure.impulse:.3g} N·s "
                     f"({closure.percent:.1f} %); is a path, a part or a contact missing, or a path's "
                     "direction reversed?"
                 )
-    return list(seen.values())
+    unused = _unused(steps, largest) if seen else []
+    hint = [f"recorded, but in no path: {', '.join(unused)}; does one of them close the impulse?"]
+    return [*seen.values(), *(hint if unused else [])]
+
+
+def _unused(steps: FirstSteps, residual: float) -> list[str]:
+    """Return contacts and ground springs that no path names, the likeliest to leave that residual first."""
+    histories, links = steps.data.histories, steps.graph.links
+    used = {match_one(name, histories.contacts, "contact", "") for link in links for name in link.contacts}
+    held = {match_one(name, histories.springs, "spring", "") for link in links for name in link.springs}
+    passed = {
+        **{f"contact {n}": np.ptp(c.impulse) for n, c in histories.contacts.items() if n not in used},
+        **{
+            f"spring {n}": abs(float(np.trapezoid(s.force, histories.time)))
+            for n, s in histories.springs.items()
+            if n not in held
+        },
+    }
+    near = sorted(
+        (n for n, j in passed.items() if j > MISSED * residual), key=lambda n: abs(passed[n] - residual)
+    )
+    return [f"{name} ({passed[name]:.3g} N·s)" for name in near[:MOST_NAMED]]

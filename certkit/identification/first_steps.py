@@ -66,6 +66,12 @@ def first_steps(case: Case, data: FrontData) -> FirstSteps:
             f"{histories.source}: no group's momentum ever changes; the histories end before the impact"
             "; let the run go on, or correct `until`"
         )
+    for name, group in case.groups.items():
+        if group.kind == "impactor" and momenta[name][0] < 0:
+            raise DataError(
+                f"{histories.source}: the impactor `{name}` moves towards -x, but +x leads into the car; "
+                "turn the sign of everything along x: momenta, impulses, forces, displacements, places"
+            )
     moved = group_displacements(case, graph, histories, grid)
     kinds = {name: group.kind for name, group in case.groups.items()}
     return FirstSteps(

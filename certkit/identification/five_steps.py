@@ -16,6 +16,7 @@ from certkit.identification.material import MOST_SPREAD, convert, front_spread, 
 from certkit.identification.part_groups import left_over
 from certkit.identification.path_laws import path_laws
 from certkit.identification.rate_check import material_remark, rate_remarks
+from certkit.identification.vehicle_file import loose_groups
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -61,7 +62,7 @@ def extract(
     steps = first_steps(case, data)
     warnings: list[str] = []
     notes = [*case.notes, *steps.data.histories.notes]
-    forgotten, noted = left_over(steps.graph.groups, steps.data.histories)
+    forgotten, noted = left_over(steps.graph.groups, steps.data.histories, steps.data.faces)
     warnings += forgotten
     notes += noted
     fits, sheets = path_laws(steps, warnings, notes, progress)
@@ -70,6 +71,17 @@ def extract(
     closed = closes(steps, warnings)
     material, digests = _material(case, steps, fits, case_folder or folder, warnings)
     inputs = {**(case_digest or {}), **steps.data.histories.files, **digests}
+    groups = tuple(group_result(name, steps) for name in steps.graph.groups)
+    paths = tuple(
+        path_result(flow, fits.get(flow.link.name), sheets.get(flow.link.name), steps) for flow in steps.flows
+    )
+    loose = loose_groups(groups, paths)
+    warnings += [
+        f"{group.name}: nothing that carries a force leads from it to the ground, so no law holds it: it is "
+        f"left out of the vehicle{', and the leg meets nothing there' if group.position is not None else ''}"
+        for group in groups
+        if group.name in loose
+    ]
     return ExtractionResult(
         case=case.case,
         title=case.title,
@@ -77,11 +89,8 @@ def extract(
         interval=steps.grid.step,
         count=int(steps.grid.time.size),
         smoothing=steps.grid.window,
-        groups=tuple(group_result(name, steps) for name in steps.graph.groups),
-        paths=tuple(
-            path_result(flow, fits.get(flow.link.name), sheets.get(flow.link.name), steps)
-            for flow in steps.flows
-        ),
+        groups=groups,
+        paths=paths,
         vehicle=case.vehicle,
         material=material,
         warnings=tuple(warnings),

@@ -29,8 +29,8 @@ class Link:
         `F4 – E2`.
     source, target : str
         The groups momentum comes from and goes to.
-    contact, spring : str or None
-        The model's names of the contact or ground spring whose history was recorded in this path.
+    contacts, springs : tuple of str
+        The model's names of the contacts or ground springs whose histories were recorded in this path.
     tension : bool
         Whether it can also pull.
     law : bool
@@ -42,8 +42,8 @@ class Link:
     name: str
     source: str
     target: str
-    contact: str | None = None
-    spring: str | None = None
+    contacts: tuple[str, ...] = ()
+    springs: tuple[str, ...] = ()
     tension: bool = False
     law: bool = True
     start: float | None = None
@@ -100,4 +100,9 @@ def _link(path: Path, groups: dict[str, tuple[str, ...]]) -> Link:
     if path.spring is not None and target != GROUND:
         raise DataError(f"path {path.name}: a recorded spring leads to the ground; write [{source}, ground]")
     start = None if path.start is None else float(path.start)
-    return Link(path.name, source, target, path.contact, path.spring, path.tension, path.law, start)
+    contacts, springs = _names(path.contact), _names(path.spring)
+    return Link(path.name, source, target, contacts, springs, path.tension, path.law, start)
+
+
+def _names(given: list[str] | str | None) -> tuple[str, ...]:
+    return (given,) if isinstance(given, str) else tuple(given or ())

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from certkit.definitions.extraction_case import Case, CaseGroup
     from certkit.definitions.loading.faults import Fault, Steps
     from certkit.definitions.part_selection import Box
-    from certkit.exchange.fe import PartHistories
+    from certkit.exchange.fe import Face, PartHistories
     from certkit.exchange.fe.histories import Place
 
 FORGOTTEN = 0.02
@@ -67,8 +67,13 @@ def part_groups(case: Case, histories: PartHistories) -> dict[str, tuple[str, ..
     return groups
 
 
-def left_over(groups: Mapping[str, tuple[str, ...]], histories: PartHistories) -> tuple[list[str], list[str]]:
-    """Return warnings and notes on parts that move and are in no group."""
+def left_over(
+    groups: Mapping[str, tuple[str, ...]], histories: PartHistories, faces: Mapping[str, Face]
+) -> tuple[list[str], list[str]]:
+    """Return warnings and notes on parts that move and are in no group.
+
+    One with a face is warned of however light it is: the leg would meet nothing where it stands.
+    """
     taken = {part for parts in groups.values() for part in parts}
     changes = {
         name: float(np.ptp(part.momentum))
@@ -83,7 +88,10 @@ def left_over(groups: Mapping[str, tuple[str, ...]], histories: PartHistories) -
             continue
         share = 100.0 * change / largest
         said = f"part `{name}` is in no group; its momentum changes by {share:.1f} % of the largest"
-        (warnings if share > 100 * FORGOTTEN else notes).append(said)
+        faced = name in faces and faces[name].position is not None
+        (warnings if share > 100 * FORGOTTEN or faced else notes).append(
+            f"{said}{', and the leg meets nothing at its face' if faced else ''}"
+        )
     return warnings, notes
 
 

@@ -96,7 +96,7 @@ def sheet_law(
     Returns
     -------
     SheetLaw or None
-        None when the groups never move inwards or no force passes.
+        None when the groups never move inwards or no force passes on the way.
     """
     progress, shortening = 0.5 * (first + second), first - second
     k = int(np.argmax(progress))
@@ -119,6 +119,8 @@ def sheet_law(
     reduced = masses[0] * masses[1] / (masses[0] + masses[1])
     (at, x, f), (shares, back_x, back_f) = np.array(inwards).T, np.array(back).T
     damping = 2 * DAMPING_RATIO * float(np.sqrt(stiffness * reduced))
+    if not tension and max(np.max(f), float(f[-1]) + np.max(back_f)) <= 0:
+        return None
     law = SheetLaw(at, x, f, shares, back_x, back_f, stiffness, damping, tension=tension)
     error = float(np.sqrt(np.mean((law.force_along(progress) - force) ** 2)))
     return replace(law, misfit=100 * error / peak)

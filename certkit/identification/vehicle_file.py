@@ -9,10 +9,13 @@ from typing import TYPE_CHECKING
 
 from certkit.definitions.loading.old_forms import spring_names
 from certkit.errors import DataError
+from certkit.identification.first_steps import CARRIES
 from certkit.identification.grouping import GROUND
 
 if TYPE_CHECKING:
-    from certkit.documents.extraction import ExtractionResult, GroupResult, LawResult, SheetResult
+    from collections.abc import Iterable, Sequence
+
+    from certkit.documents.extraction import ExtractionResult, GroupResult, LawResult, PathResult, SheetResult
 
 _HASH_DIGITS = 12
 
@@ -20,18 +23,17 @@ _HASH_DIGITS = 12
 def vehicle_text(result: ExtractionResult) -> str:
     """Write the vehicle document of an extraction.
 
-    The impactor is left out. A group that only a path without a law holds to the ground is taken for ground
-    itself, because nothing is known of how it gives way.
+    The impactor is left out, and so are `loose_groups`. A group that only a path without a law holds to the
+    ground is taken for ground itself, because nothing is known of how it gives way.
 
     Raises
     ------
     DataError
         When no fascia or hood group has a face, so that nothing could be hit.
     """
-    held = {p.source for p in result.paths if p.target == GROUND and p.law is None} - {
-        p.source for p in result.paths if p.target == GROUND and p.law is not None
-    }
-    groups = [g for g in result.groups if g.kind != "impactor" and g.name not in held]
+    held = _held(result.paths)
+    loose = loose_groups(result.groups, result.paths)
+    groups = [g for g in result.groups if g.kind != "impactor" and g.name not in held | loose]
     if not any(g.position is not None for g in groups):
         raise DataError(
             "no group has a face (low, high, position): the leg would hit nothing; add faces to the case"
@@ -77,6 +79,27 @@ def vehicle_text(result: ExtractionResult) -> str:
     lines.append("notes:")
     lines += [f"  - {_quoted(note)}" for note in (*result.warnings, *result.notes, *files)] or ["  []"]
     return "\n".join(lines) + "\n"
+
+
+def loose_groups(groups: Iterable[GroupResult], paths: Sequence[PathResult]) -> set[str]:
+    """Return the groups that no law holds to the ground, in however many steps.
+
+    The run does not tell how they give way: nothing touched them, or their paths were forgotten.
+    """
+    reached = {GROUND, *_held(paths)}
+    links = [(p.source, p.target) for p in paths if p.law is not None or p.sheet is not None]
+    before = 0
+    while len(reached) > before:
+        before = len(reached)
+        reached |= {end for link in links if reached & set(link) for end in link}
+    return {g.name for g in groups if g.kind != "impactor"} - reached
+
+
+def _held(paths: Sequence[PathResult]) -> set[str]:
+    """Return the groups that only paths without a law hold to the ground, though they carry something."""
+    carries = CARRIES * max(max(map(abs, p.impulse)) for p in paths)
+    grounded = [p for p in paths if p.target == GROUND and max(map(abs, p.impulse)) >= carries]
+    return {p.source for p in grounded if p.law is None} - {p.source for p in grounded if p.law is not None}
 
 
 def _group(group: GroupResult) -> list[str]:

@@ -147,7 +147,7 @@ def test_a_part_that_moves_much_and_is_in_no_group_is_warned_of() -> None:
             "wall": PartHistory(9.0, 0 * steady),
         },
     )
-    warnings, notes = left_over({"ball": ("ball",)}, histories)
+    warnings, notes = left_over({"ball": ("ball",)}, histories, {})
     assert warnings == ["part `skin` is in no group; its momentum changes by 50.0 % of the largest"]
     assert notes == ["part `dust` is in no group; its momentum changes by 1.0 % of the largest"]
 

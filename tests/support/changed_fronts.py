@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
 FRONT = Path(__file__).parents[2] / "examples/extract/front1"
 HISTORIES = ("vehicle_groups", "contact_forces", "ground_forces", "leg_channels")
@@ -28,12 +28,12 @@ def copied(folder: Path) -> Path:
     return folder / "case.yaml"
 
 
-def change(path: Path, of_rows: Callable[[Rows], Rows]) -> None:
-    """Change the rows of a table."""
+def change(path: Path, of_rows: Callable[[Rows], Rows], also: Sequence[str] = ()) -> None:
+    """Change the rows of a table; `also` are columns that they gain."""
     reader = csv.DictReader(io.StringIO(path.read_text()))
     rows = of_rows(list(reader))
     out = io.StringIO()
-    writer = csv.DictWriter(out, reader.fieldnames or [], lineterminator="\n")
+    writer = csv.DictWriter(out, [*(reader.fieldnames or []), *also], lineterminator="\n")
     writer.writeheader()
     writer.writerows(rows)
     path.write_text(out.getvalue())

@@ -205,7 +205,8 @@ def match_one(pattern: str, names: Mapping[str, T], kind: str, source: str) -> s
         return found[0]
     if found:
         raise DataError(
-            f"{source}: `{pattern}` fits {len(found)} {kind}s ({', '.join(found[:6])}); name one of them"
+            f"{source}: `{pattern}` fits {len(found)} {kind}s ({', '.join(found[:6])}); name one of them, "
+            "or list all that are meant"
         )
     near = get_close_matches(pattern, names, n=1)
     if near:
