@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from clock import Row, exponent, processor_seconds
+from msgspec.structs import replace
 
 from certkit.bench.setup import Setup, prepare
 from certkit.definitions.vehicle import Vehicle

@@ -16,8 +16,7 @@ numerical error, 4 not evaluated. The verdict codes live in `certkit.grading`; o
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 
 class CertkitError(Exception):
@@ -32,8 +31,7 @@ class InputError(CertkitError):
     exit_code: ClassVar[int] = 2
 
 
-@dataclass(frozen=True, order=True)
-class Problem:
+class Problem(NamedTuple):
     """One thing wrong with a file: where it stands, what it is and what to do about it.
 
     Parameters

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
+
+from msgspec import Struct
 
 from certkit._version import __version__
 from certkit.bench.campaign_pages import write_campaign
@@ -35,8 +36,7 @@ if TYPE_CHECKING:
     from certkit.documents.result import Result
 
 
-@dataclass(frozen=True)
-class AssessedCampaign:
+class AssessedCampaign(Struct, frozen=True):
     """The document, and the result behind each source by the folder that the document names for it."""
 
     document: CampaignReport

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -39,8 +39,7 @@ SAME = 0.005
 """Share by which two weights of a leg, or two speeds, are one."""
 
 
-@dataclass(frozen=True)
-class CheckedRun:
+class CheckedRun(Struct, frozen=True, dict=True):
     """What the run says, on the uniform axis of the extraction up to the checks' end."""
 
     result: ExtractionResult

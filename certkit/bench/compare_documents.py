@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from msgspec import Struct
 from pydantic import BaseModel
 
 if TYPE_CHECKING:
@@ -15,8 +15,7 @@ SAME = 1e-5
 """Relative difference of numbers that count as the same, of the largest of their list where there is one."""
 
 
-@dataclass(frozen=True)
-class Difference:
+class Difference(Struct, frozen=True):
     """One field that differs: where it is, and both values in words."""
 
     place: str

@@ -7,12 +7,12 @@ the place and the person as the source of each number, and `verified` beside it.
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 import yaml
+from msgspec import Struct, field
 
 from certkit.bench.written_value import with_value
 from certkit.definitions.confirmation import (
@@ -44,8 +44,7 @@ LARGEST_TEXT = 500_000_000
 """Bytes of a file that is hashed; a regulation as a scan has a few million."""
 
 
-@dataclass
-class ConfirmationSession:
+class ConfirmationSession(Struct):
     """One definition beside the text; every answer is kept at once, so that one can stop and go on.
 
     Parameters

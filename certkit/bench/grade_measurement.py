@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import re
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from certkit.bench.laboratory_terms import header_contradictions, merged_conditions, read_laboratory
 from certkit.bench.setup import prepare, without_model

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from msgspec import Struct
 from pydantic import ValidationError
 
 from certkit.bench.laboratory_logo import embedded_logo
@@ -25,8 +25,7 @@ ROLE = "laboratory"
 """Of both files among a result's inputs, the shared one first."""
 
 
-@dataclass(frozen=True)
-class LaboratoryFiles:
+class LaboratoryFiles(Struct, frozen=True):
     """What a laboratory's file says, together with the one that it shares; its logo; the files themselves."""
 
     laboratory: Laboratory

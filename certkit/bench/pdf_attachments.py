@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from certkit.documents.result import Result
 from certkit.errors import DataError
@@ -26,8 +27,7 @@ A4_WIDTH = 595.3
 """Points; Letter is 612 wide."""
 
 
-@dataclass(frozen=True)
-class Attached:
+class Attached(Struct, frozen=True):
     """What is attached: bytes by name, the hashes of the manifest by name, and how the pages were made.
 
     Parameters

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from certkit.errors import DataError
 
@@ -25,16 +26,14 @@ ANNOTATIONS = {1: "note", 2: "link", 3: "free text", 13: "stamp", 17: "attachmen
 """Names of kinds of annotations by PDFium's numbers; others are called annotation."""
 
 
-@dataclass(frozen=True)
-class Annotation:
+class Annotation(Struct, frozen=True):
     """Something laid over a page: its kind, and whether it covers any of it."""
 
     kind: str
     covers: bool
 
 
-@dataclass(frozen=True)
-class PdfPage:
+class PdfPage(Struct, frozen=True):
     """One page: size in points, its words, grey values at 72 dots an inch, and what is laid over it.
 
     The colours of all dots are kept as a digest.

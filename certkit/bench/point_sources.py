@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from hashlib import sha256
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.bench.grade_measurement import grade
 from certkit.bench.regrade import embedded_channels
@@ -26,8 +27,7 @@ if TYPE_CHECKING:
     from certkit.documents.result import CriterionResult
 
 
-@dataclass(frozen=True)
-class CampaignFiles:
+class CampaignFiles(Struct, frozen=True):
     """Where a campaign's paths lead.
 
     Parameters
@@ -50,8 +50,7 @@ class CampaignFiles:
     unverified: bool = False
 
 
-@dataclass(frozen=True)
-class LoadedSource:
+class LoadedSource(Struct, frozen=True):
     """A source with the result it stands on, if any, and the files that were read."""
 
     report: SourceReport

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.bench.model_origins import fits_of, fitted_to, model_remarks
 from certkit.bench.setup import Setup, prepare
@@ -35,8 +36,7 @@ SMALLEST = {"N·m": 20.0, "mm": 1.5, "N": 200.0}
 relative to this. No corridor begins below 3.5 mm or 90 N·m, so such a peak decides nothing."""
 
 
-@dataclass(frozen=True)
-class Refinement:
+class Refinement(Struct, frozen=True):
     """What finer runs say of the reported one: largest change, and numerical uncertainty by criterion."""
 
     step_change: StepChange

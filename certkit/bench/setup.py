@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, cast
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit._version import __version__
 from certkit.bench.package_versions import package_versions
@@ -34,8 +36,7 @@ OF_THE_MODEL = ("legform", "vehicle")
 _ELSEWHERE = ("legform", "vehicle")
 
 
-@dataclass(frozen=True)
-class Setup:
+class Setup(Struct, frozen=True, dict=True):
     """A procedure with the legform, vehicle, corridors and reference it names, and where each came from."""
 
     procedure: Procedure

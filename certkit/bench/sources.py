@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.bench.regrade import embedded_channels
 from certkit.bench.results_at_path import result_at
@@ -20,8 +21,7 @@ if TYPE_CHECKING:
     from certkit.signals import Recording
 
 
-@dataclass(frozen=True)
-class Source:
+class Source(Struct, frozen=True):
     """A recording under the name the user gave it, with the result it stands in, if any."""
 
     label: str

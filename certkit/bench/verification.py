@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
+
+from msgspec import Struct, field
 
 from certkit.reporting.language import ENGLISH, language
 
@@ -13,8 +14,7 @@ if TYPE_CHECKING:
 Outcome = Literal["holds", "does not hold", "not checked"]
 
 
-@dataclass(frozen=True)
-class Check:
+class Check(Struct, frozen=True):
     """One thing that was checked, or that was not.
 
     Parameters
@@ -76,8 +76,7 @@ def judged(what: str, same: object, code: str, **parameters: object) -> Check:
     return holds(what) if same else fails(what, code, **parameters)
 
 
-@dataclass(frozen=True)
-class Verification:
+class Verification(Struct, frozen=True):
     """What came of all checks.
 
     Parameters

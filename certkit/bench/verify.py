@@ -9,9 +9,11 @@ Six kinds of check, each in a file of its own: integrity (`verify_document`, `ve
 from __future__ import annotations
 
 import warnings
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.bench.pdf_attachments import attachments_of
 from certkit.bench.verification import Check, Verification, fails, holds, judged
@@ -38,8 +40,7 @@ if TYPE_CHECKING:
     from certkit.bench.verify_pages import Printed
 
 
-@dataclass(frozen=True)
-class Wanted:
+class Wanted(Struct, frozen=True):
     """What is checked beside the certificate itself, and what is left out."""
 
     data: tuple[Path, ...] = ()

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from difflib import SequenceMatcher
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Self
 
 import numpy as np
+from msgspec import Struct
 
 from certkit._version import __version__
 from certkit.bench.pdf_pages import pdf_pages
@@ -69,8 +69,7 @@ def rendered_again(results: Sequence[Result], attached: Attached) -> bytes | Che
         return unchecked(WHAT, "pages-not-renderable", error=" ".join(str(error).split()))
 
 
-@dataclass(frozen=True)
-class Printed:
+class Printed(Struct, frozen=True):
     """What a PDF should be: how it renders again, or why it cannot; its ids; the WeasyPrints that made it."""
 
     made: bytes | Check

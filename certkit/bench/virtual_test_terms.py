@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from certkit.definitions.loading.library import load
 from certkit.documents.result import Histories, InputFile, Series

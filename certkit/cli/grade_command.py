@@ -9,7 +9,6 @@ from typing import Annotated
 import typer
 
 from certkit.cli import options
-from certkit.cli.graded_tests import GradedTests
 
 Data = Annotated[
     list[Path],
@@ -73,6 +72,7 @@ def grade(
     from certkit.bench.render_documents import check_key  # noqa: PLC0415  # likewise
     from certkit.bench.result_folder import distinct_names  # noqa: PLC0415  # likewise
     from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
+    from certkit.cli.graded_tests import GradedTests  # noqa: PLC0415  # likewise
     from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
 
     wanted = terminal.formats(formats)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
+
+from msgspec import Struct, field
 
 from certkit.errors import CertkitError
 
@@ -15,8 +16,7 @@ if TYPE_CHECKING:
     from certkit.reporting.result_view import View
 
 
-@dataclass
-class GradedTests:
+class GradedTests(Struct):
     """The tests of one command.
 
     Parameters

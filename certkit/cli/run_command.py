@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from certkit.cli import completion, options
-from certkit.cli.graded_tests import GradedTests
 from certkit.errors import CertkitError
 
 if TYPE_CHECKING:
@@ -69,6 +68,7 @@ def run(
     from certkit.bench.result_folder import distinct_names  # noqa: PLC0415  # likewise
     from certkit.bench.run_simulation import run as simulate  # noqa: PLC0415  # likewise
     from certkit.cli import console as terminal  # noqa: PLC0415  # likewise
+    from certkit.cli.graded_tests import GradedTests  # noqa: PLC0415  # likewise
     from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
 
     wanted = terminal.formats(formats)

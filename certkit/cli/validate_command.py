@@ -31,9 +31,8 @@ def validate(
     problems = [problem for _, found in checked for problem in found]
     if as_json:
         import json  # noqa: PLC0415  # only here
-        from dataclasses import asdict  # noqa: PLC0415  # likewise
 
-        typer.echo(json.dumps([asdict(problem) for problem in problems], indent=2, ensure_ascii=False))
+        typer.echo(json.dumps([problem._asdict() for problem in problems], indent=2, ensure_ascii=False))
         raise typer.Exit(DefinitionError.exit_code if problems else 0)
     for file, found in checked:
         if not found:

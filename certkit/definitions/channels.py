@@ -6,16 +6,16 @@ are declared by its fixtures (`certkit.definitions.fixtures`).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
 
-@dataclass(frozen=True)
-class Dimension:
+class Dimension(Struct, frozen=True):
     """A physical dimension: its SI unit and the unit that people of the field read.
 
     Parameters
@@ -56,8 +56,7 @@ DIMENSIONS = MappingProxyType(
 )
 
 
-@dataclass(frozen=True)
-class ChannelKind:
+class ChannelKind(Struct, frozen=True):
     """What a channel of this name is.
 
     Parameters
@@ -90,8 +89,7 @@ class ChannelKind:
     usual: float | None = None
 
 
-@dataclass(frozen=True)
-class ChannelTable:
+class ChannelTable(Struct, frozen=True):
     """The channels that a test of one legform can have.
 
     Parameters

@@ -6,14 +6,14 @@ measure's words. The two are apart because procedures are read and checked witho
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from types import MappingProxyType
+
+from msgspec import Struct
 
 from certkit.definitions.corridor_set import Band, Polygon, ValueWindow
 
 
-@dataclass(frozen=True)
-class MeasureKind:
+class MeasureKind(Struct, frozen=True):
     """What a measure asks of a criterion, and what its value is.
 
     Parameters

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Literal
 
+from msgspec import Struct
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Document
@@ -59,8 +59,7 @@ class Correlation(Document):
     coefficient: Annotated[float, Field(gt=-1, lt=1)]
 
 
-@dataclass(frozen=True)
-class DesignKind:
+class DesignKind(Struct, frozen=True):
     """What follows from a design for the rest of a study.
 
     Parameters

@@ -21,10 +21,10 @@ from __future__ import annotations
 import csv
 import io
 import re
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, get_args
 
 import numpy as np
+from msgspec import Struct, field
 
 from certkit.definitions.channel_mapping import Column, Filter, TimeColumn
 from certkit.definitions.units import UNITS
@@ -57,8 +57,7 @@ DIGITS = 9
 _HEAD = re.compile(r"(.+?)\s*[\[(]([^\])]*)[\])]")
 
 
-@dataclass(frozen=True)
-class CsvHead:
+class CsvHead(Struct, frozen=True):
     """What is known of a table before its numbers are read.
 
     Parameters

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from types import MappingProxyType
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.definitions.channel_mapping import Condition, Mapping, MmeTable
 from certkit.definitions.loading.channel_tables import default_channels
@@ -27,8 +28,7 @@ if TYPE_CHECKING:
     from certkit.definitions.channels import ChannelTable
 
 
-@dataclass(frozen=True)
-class CodeTable:
+class CodeTable(Struct, frozen=True):
     """Codes of a legform and of the rig, with a laboratory's own entries laid over them.
 
     Parameters

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.exchange.data_units import quantity, quantity_of_any_dimension
@@ -32,8 +33,7 @@ _OTHER_WORDS = {
 """Other words for conditions, in comments and descriptors."""
 
 
-@dataclass(frozen=True)
-class Told:
+class Told(Struct, frozen=True):
     """A condition's value, SI, and the place that tells it."""
 
     value: float

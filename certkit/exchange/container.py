@@ -8,9 +8,10 @@ import stat
 import struct
 import zipfile
 import zlib
-from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.files.bounded import read_bounded
@@ -42,8 +43,7 @@ _DAMAGED = (
 )
 
 
-@dataclass(frozen=True)
-class Container:
+class Container(Struct, frozen=True):
     """The files of one test.
 
     Parameters

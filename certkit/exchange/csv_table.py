@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.exchange.csv_cells import Cells, cells_of, plain_lines, without_empty_end
@@ -22,8 +23,7 @@ _UNIT = re.compile(r"[\[(]([^\])]*)[\])]\s*$")
 _REMARK = re.compile(r"#\s*([A-Za-z][^:]*?)\s*:\s*(.+)")
 
 
-@dataclass(frozen=True)
-class CsvTable:
+class CsvTable(Struct, frozen=True):
     """The file in parts.
 
     Parameters

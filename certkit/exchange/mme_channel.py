@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.exchange.data_units import factor, table_dimension
@@ -34,8 +35,7 @@ _ALSO = {"elongation": "displacement"}
 """Another word for a dimension, by its own."""
 
 
-@dataclass(frozen=True)
-class MmeChannel:
+class MmeChannel(Struct, frozen=True):
     """A channel as its file tells it, in SI units and certkit's polarity.
 
     Parameters

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import lru_cache
+
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.exchange.data_units import quantity
@@ -16,8 +17,7 @@ OWN_SIMULATION = "simulated by certkit"
 """Comment of a container of certkit's own simulation; what others simulated is a virtual test."""
 
 
-@dataclass(frozen=True)
-class Line:
+class Line(Struct, frozen=True):
     """A descriptor as it stands: its words, its value and its line."""
 
     descriptor: str
@@ -25,8 +25,7 @@ class Line:
     number: int
 
 
-@dataclass(frozen=True)
-class Header:
+class Header(Struct, frozen=True):
     """The descriptors of a file, in order; some, such as `Comments`, may come several times.
 
     Parameters

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import hashlib
 import re
-from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from types import MappingProxyType
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.definitions.loading.channel_tables import default_channels
 from certkit.errors import DataError
@@ -50,8 +51,7 @@ _SHOWN = (
 )
 
 
-@dataclass(frozen=True)
-class _Listed:
+class _Listed(Struct, frozen=True):
     """A line of the channel list: the file's name and the code it should have."""
 
     file: str

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import force_setattr, replace
 
 from certkit.documents.rounding import rounded
 from certkit.errors import DataError
@@ -22,8 +23,7 @@ _SAME = 1e-6  # relative difference of two intervals that count as one
 _UNIFORM = 0.2  # of an interval: rounding in a written time column; a lost sample shows as 0.5
 
 
-@dataclass(frozen=True)
-class TimeBase:
+class TimeBase(Struct, frozen=True):
     """A uniform time axis: time of the first sample (s), interval (s) and number of samples.
 
     Both times have the seven digits that a result document keeps, so that the samples that lie on the edge of
@@ -36,8 +36,8 @@ class TimeBase:
 
     def __post_init__(self) -> None:
         """Round the times."""
-        object.__setattr__(self, "first", rounded(self.first))
-        object.__setattr__(self, "interval", rounded(self.interval))
+        force_setattr(self, "first", rounded(self.first))
+        force_setattr(self, "interval", rounded(self.interval))
 
     def with_count(self, count: int) -> TimeBase:
         """Return the axis with another number of samples."""

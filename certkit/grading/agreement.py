@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.definitions.units import parse_quantity
 from certkit.documents.comparison import AgreementCheck
@@ -18,8 +19,7 @@ if TYPE_CHECKING:
     from certkit.documents.result import Verdict
 
 
-@dataclass(frozen=True)
-class LimitedCriterion:
+class LimitedCriterion(Struct, frozen=True):
     """A criterion that both tests have, with the limit that it was graded by.
 
     Parameters

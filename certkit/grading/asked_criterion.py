@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.definitions.channels import TIME
 from certkit.definitions.corridor_set import ValueWindow
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Criterion
 
 
-@dataclass(frozen=True)
-class AskedCriterion:
+class AskedCriterion(Struct, frozen=True):
     """A criterion of a procedure with the limits that its corridor sets.
 
     Parameters

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.errors import DataError
@@ -24,8 +24,7 @@ FILTER = "CFC 180"
 """Filter of the channels that are compared with their neighbours, that of all criteria."""
 
 
-@dataclass(frozen=True)
-class LegChannels:
+class LegChannels(Struct, frozen=True, dict=True):
     """Bone moments and elongations of a recording, with their classes, filtered, from contact on.
 
     Parameters

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.documents.comparison import ChannelRating, ComparisonDocument, Overlay, Side
 from certkit.documents.result import ComparisonRow
@@ -33,8 +33,7 @@ NOTHING = 0.01
 """Share of a unit's largest value below which a reference is nothing that an error could be relative to."""
 
 
-@dataclass(frozen=True)
-class ComparedTest:
+class ComparedTest(Struct, frozen=True):
     """One test to be compared: its words, its conditioned recording, its criteria where it was graded."""
 
     side: Side

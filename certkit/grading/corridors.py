@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.definitions.channels import TIME, Dimension
 from certkit.definitions.loading.channel_tables import default_channels
@@ -26,8 +26,7 @@ if TYPE_CHECKING:
     from certkit.grading.trace import Trace
 
 
-@dataclass(frozen=True)
-class Corridor:
+class Corridor(Struct, frozen=True):
     """A corridor as the definitions hold it.
 
     Parameters
@@ -45,8 +44,7 @@ class Corridor:
     confidence: Confidence
 
 
-@dataclass(frozen=True)
-class Missing:
+class Missing(Struct, frozen=True):
     """No corridor to hold a criterion against: why, and whether the criterion is required all the same."""
 
     reason: Reason

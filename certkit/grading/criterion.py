@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct, field
 
 from certkit.definitions.corridor_set import Band as BandCorridor
 from certkit.definitions.corridor_set import Polygon, ValueWindow
@@ -37,8 +37,7 @@ COVERED = 0.8
 """Share of a polygon's width or height that a curve has to run through to have been held against it."""
 
 
-@dataclass(frozen=True)
-class Judgement:
+class Judgement(Struct, frozen=True):
     """What criteria are judged with.
 
     Parameters
@@ -60,8 +59,7 @@ class Judgement:
     channels: ChannelTable | None = None
 
 
-@dataclass(frozen=True)
-class _Held:
+class _Held(Struct, frozen=True):
     """A value with its limits, SI, and the curves that belong to it."""
 
     value: float | None

@@ -8,8 +8,9 @@ the corridor but within w of a limit is `conditional`.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.errors import UsageError
 from certkit.reasons import Reason
@@ -21,8 +22,7 @@ COVERAGE = 2.0
 """Coverage factor k of an expanded uncertainty: U = k·u."""
 
 
-@dataclass(frozen=True)
-class DecisionRule:
+class DecisionRule(Struct, frozen=True):
     """A decision rule.
 
     Parameters
@@ -47,8 +47,7 @@ class DecisionRule:
 SIMPLE_ACCEPTANCE = DecisionRule()
 
 
-@dataclass(frozen=True)
-class Decision:
+class Decision(Struct, frozen=True):
     """What a rule decides.
 
     Parameters

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.reasons import Reason
 
@@ -15,16 +16,14 @@ RANGE = 1.001
 """Times what a spring's curve is known up to, within which it is in its range; rounding is no departure."""
 
 
-@dataclass(frozen=True)
-class Use:
+class Use(Struct, frozen=True):
     """What a group or a spring used of what there is, in per cent; the one that used most."""
 
     name: str
     percent: float
 
 
-@dataclass(frozen=True)
-class FrontUse:
+class FrontUse(Struct, frozen=True):
     """How far a front went into the room and the curves that it was made with.
 
     Parameters

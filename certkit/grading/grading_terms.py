@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct, field
 
 from certkit.grading.decision import SIMPLE_ACCEPTANCE, DecisionRule
 
@@ -25,8 +26,7 @@ if TYPE_CHECKING:
     from certkit.reasons import Reason
 
 
-@dataclass(frozen=True)
-class GradingTerms:
+class GradingTerms(Struct, frozen=True):
     """The definitions that a procedure is graded by, and their origins.
 
     Parameters
@@ -47,8 +47,7 @@ class GradingTerms:
     parameters: Sequence[Parameter] = ()
 
 
-@dataclass(frozen=True)
-class LaboratoryTerms:
+class LaboratoryTerms(Struct, frozen=True):
     """What a laboratory's file adds to a grading.
 
     Parameters
@@ -81,8 +80,7 @@ class LaboratoryTerms:
 NO_LABORATORY = LaboratoryTerms()
 
 
-@dataclass(frozen=True)
-class SimulatedTerms:
+class SimulatedTerms(Struct, frozen=True):
     """What a simulated run brings beside its recording.
 
     Parameters

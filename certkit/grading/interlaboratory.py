@@ -8,10 +8,10 @@ critical values come from, and those are used. Unequal numbers of tests are allo
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -28,8 +28,7 @@ _ROBUST_STEPS = 200
 _ROBUST_ENDS = 1e-9
 
 
-@dataclass(frozen=True)
-class Precision:
+class Precision(Struct, frozen=True):
     """Standard deviations of one criterion, in its unit.
 
     Parameters
@@ -52,8 +51,7 @@ class Precision:
     total: float | None
 
 
-@dataclass(frozen=True)
-class LaboratoryStatistics:
+class LaboratoryStatistics(Struct, frozen=True):
     """One laboratory among the others.
 
     Parameters

@@ -6,8 +6,9 @@ value and with the reason.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.grading.measured_value import MeasuredValue
@@ -20,8 +21,7 @@ if TYPE_CHECKING:
     from certkit.signals import AssessmentInterval, Filtered
 
 
-@dataclass(frozen=True)
-class NoInterval:
+class NoInterval(Struct, frozen=True):
     """There is no assessment interval, and why; without a reason where none was looked for."""
 
     reason: Reason | None = None

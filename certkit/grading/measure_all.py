@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.grading.measure import NoInterval, measure
@@ -24,8 +25,7 @@ INTERVAL_FILTER = "CFC 180"
 """Filter of the bone moments that the assessment interval is found on."""
 
 
-@dataclass(frozen=True)
-class Measurements:
+class Measurements(Struct, frozen=True):
     """What was measured on one recording by one procedure.
 
     Parameters

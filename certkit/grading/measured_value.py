@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 if TYPE_CHECKING:
     from certkit.definitions.channels import Dimension
@@ -11,8 +12,7 @@ if TYPE_CHECKING:
     from certkit.reasons import Reason
 
 
-@dataclass(frozen=True)
-class MeasuredValue:
+class MeasuredValue(Struct, frozen=True):
     """What was measured.
 
     Parameters

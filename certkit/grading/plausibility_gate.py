@@ -6,10 +6,11 @@ evaluated`, with the reason beside the verdict. Static tests have load levels in
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.errors import DataError
 from certkit.grading.measure import NoInterval, evaluated
@@ -36,8 +37,7 @@ BEYOND = 0.001
 end, ended the search for a peak."""
 
 
-@dataclass(frozen=True)
-class Plausibility:
+class Plausibility(Struct, frozen=True):
     """What the gate found.
 
     Parameters
@@ -112,8 +112,7 @@ def _channels(criterion: Criterion, filtered: Filtered) -> list[str]:
     return [table.name(name) for name in words if name is not None]
 
 
-@dataclass(frozen=True)
-class _Peak:
+class _Peak(Struct, frozen=True):
     """One criterion's peak within what was recorded."""
 
     criterion: Criterion

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.grading.channels_of_leg import LegChannels
@@ -48,8 +48,7 @@ SLACK = 0.05
 """Share of its largest size below which a ligament stands still because it is slack, not frozen."""
 
 
-@dataclass(frozen=True)
-class ChannelDoubts:
+class ChannelDoubts(Struct, frozen=True):
     """What is wrong with channels, and what is odd about them.
 
     Parameters

@@ -7,8 +7,9 @@ there is a third, h/4.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.errors import UsageError
 
@@ -86,8 +87,7 @@ def numerical_uncertainties(runs: Sequence[Mapping[str, float | None]]) -> dict[
     return found
 
 
-@dataclass(frozen=True)
-class StepChange:
+class StepChange(Struct, frozen=True):
     """The criterion that a finer run changes most.
 
     Parameters

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
+
+from msgspec import Struct, field
 
 from certkit.definitions.units import UNITS, dimensions, parse_quantity
 from certkit.errors import UsageError
@@ -17,8 +18,7 @@ if TYPE_CHECKING:
     from certkit.definitions.scheme import Scheme
 
 
-@dataclass(frozen=True)
-class SchemeTerms:
+class SchemeTerms(Struct, frozen=True):
     """A scheme with its corridor set, and what a campaign asks of it.
 
     Parameters

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.definitions.units import parse_quantity
 from certkit.documents.result import ScoreResult
@@ -118,8 +119,7 @@ def grade_scores(
     return given, remarks
 
 
-@dataclass(frozen=True)
-class _Rated:
+class _Rated(Struct, frozen=True):
     """A criterion on its scale: what it earns of all points, and in which band it lies."""
 
     share: float

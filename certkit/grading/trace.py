@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.definitions.channels import TIME, Dimension
 from certkit.definitions.units import parse_quantity
@@ -18,8 +19,7 @@ if TYPE_CHECKING:
     from certkit.signals import Filtered
 
 
-@dataclass(frozen=True)
-class Trace:
+class Trace(Struct, frozen=True):
     """The samples that a criterion is measured on: abscissa and ordinate with their titles and units.
 
     Over time, `x` is the time and `x_dimension` is TIME.
@@ -34,8 +34,7 @@ class Trace:
     y_dimension: Dimension
 
 
-@dataclass(frozen=True)
-class EvaluationWindow:
+class EvaluationWindow(Struct, frozen=True):
     """The part of the recording that counts, s; both ends belong to it."""
 
     start: float

@@ -9,10 +9,10 @@ contacts have to help, and if they cannot, the case is refused rather than guess
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.identification.grouping import GROUND, Graph, Link
@@ -30,8 +30,7 @@ BY_CONTACT = "recorded contact"
 BY_SPRING = "recorded spring"
 
 
-@dataclass(frozen=True)
-class Closure:
+class Closure(Struct, frozen=True):
     """How well impulse closes, by two independent sides.
 
     Parameters
@@ -54,8 +53,7 @@ class Closure:
         return 100.0 * self.residual / self.impulse
 
 
-@dataclass(frozen=True)
-class Flow:
+class Flow(Struct, frozen=True):
     """Impulse and force of one load path over time, positive from its first group to its second."""
 
     link: Link

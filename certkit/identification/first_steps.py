@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.identification.balance import Flow, flows, group_masses, group_momenta
@@ -26,8 +26,7 @@ CARRIES = 5e-4
 """A path that passes less than this share of the largest impulse is left out."""
 
 
-@dataclass(frozen=True)
-class FirstSteps:
+class FirstSteps(Struct, frozen=True):
     """Results of the first four steps."""
 
     case: Case

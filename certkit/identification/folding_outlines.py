@@ -8,10 +8,10 @@ instant that falls below it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -37,8 +37,7 @@ STILL = 1e-3
 """m: a group that moves by less keeps its outline."""
 
 
-@dataclass(frozen=True)
-class FoldingOutlines:
+class FoldingOutlines(Struct, frozen=True):
     """A face at several displacements of its group: places (m), and shares of the largest on the way back.
 
     `pushed` and `returning` hold points (x, z), from the lowest upwards, shape (outlines, points, 2).

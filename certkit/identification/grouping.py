@@ -6,8 +6,9 @@ whatever arrives and has no balance of its own.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.identification.part_groups import part_groups
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
 GROUND = "ground"
 
 
-@dataclass(frozen=True)
-class Link:
+class Link(Struct, frozen=True):
     """One load path of the graph.
 
     Parameters
@@ -49,8 +49,7 @@ class Link:
     start: float | None = None
 
 
-@dataclass(frozen=True)
-class Graph:
+class Graph(Struct, frozen=True):
     """Groups as lists of parts, and the load paths between them."""
 
     groups: dict[str, tuple[str, ...]]

@@ -17,9 +17,10 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import TYPE_CHECKING
+
+from msgspec import Struct, field
 
 from certkit.errors import DataError
 from certkit.exchange.fe.faces import Face
@@ -38,8 +39,7 @@ JOINED = 0.01
 _WORDS = re.compile(r"[A-Za-z]{3,}|[A-Za-z]+\d+")
 
 
-@dataclass(frozen=True)
-class ProposedPath:
+class ProposedPath(Struct, frozen=True):
     """A load path, and why it is there."""
 
     between: tuple[str, str]
@@ -50,8 +50,7 @@ class ProposedPath:
     law: bool = True
 
 
-@dataclass(frozen=True)
-class Proposal:
+class Proposal(Struct, frozen=True):
     """Groups as (kind, part) by their names, load paths, and contacts and springs that found no place.
 
     `by_centre` are the fascia groups whose front was not recorded: they move with their centres of gravity.

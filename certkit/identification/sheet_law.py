@@ -16,10 +16,11 @@ progress; it only pushes, and is stiffer off its path.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -43,8 +44,7 @@ SLACK = 1e-4
 """m: a progress this little below its largest (on the way back: above its least) is still on the path."""
 
 
-@dataclass(frozen=True)
-class SheetLaw:
+class SheetLaw(Struct, frozen=True):
     """A sheet's path: shortening (m) and force (N) over progress (m); what the way back adds, over its share.
 
     `stiffness` (N/m) and `damping` (N·s/m) act against deviations; `misfit` is the rms difference between the

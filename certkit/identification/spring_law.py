@@ -14,10 +14,10 @@ shortening so far xm and Fm = B(xm):
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -28,8 +28,7 @@ if TYPE_CHECKING:
     Curve = Callable[[Values], Values]
 
 
-@dataclass(frozen=True)
-class Branch:
+class Branch(Struct, frozen=True):
     """How a spring unloads.
 
     Parameters
@@ -47,8 +46,7 @@ class Branch:
     permanent_set: float = 0.0
 
 
-@dataclass(frozen=True)
-class SpringLaw:
+class SpringLaw(Struct, frozen=True):
     """Law of one path. SI units.
 
     Parameters

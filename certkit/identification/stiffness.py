@@ -7,10 +7,11 @@ where it earns its place.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.identification.curve_points import continued, simplified
 from certkit.identification.path_energy import path_energy
@@ -61,8 +62,7 @@ STARTS = ((1.5, 0.05, 0.0), (4.0, 0.3, 0.0), (12.0, 0.1, 0.2), (4.0, 0.0, 0.0))
 """First guesses of (unloading stiffness ÷ secant, residual share, permanent set)."""
 
 
-@dataclass(frozen=True)
-class SpringFit:
+class SpringFit(Struct, frozen=True):
     """A path's law and how well it repeats the history it came from.
 
     Parameters

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from certkit._version import __version__
 from certkit.documents.legform_certificate import CertifiedTest, LegformCertificate
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
     from certkit.documents.result import Result
 
 
-@dataclass(frozen=True)
-class Issue:
+class Issue(Struct, frozen=True):
     """Who issues a certificate, under which number."""
 
     laboratory: Mapping[str, Any] | None = None

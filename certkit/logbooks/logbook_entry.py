@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from datetime import date
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.errors import DataError
 
@@ -23,8 +24,7 @@ def serial_key(serial: str, *, exact: bool) -> str:
     return serial if exact else "".join(serial.split()).casefold()
 
 
-@dataclass(frozen=True)
-class Reading:
+class Reading(Struct, frozen=True):
     """A criterion's value with its limits, in its unit."""
 
     criterion: str
@@ -36,8 +36,7 @@ class Reading:
     verdict: str
 
 
-@dataclass(frozen=True)
-class LogbookEntry:
+class LogbookEntry(Struct, frozen=True):
     """A test of one legform.
 
     Parameters

@@ -12,11 +12,11 @@ import contextlib
 import hashlib
 import json
 import re
-from dataclasses import asdict, dataclass
 from datetime import date
 from typing import TYPE_CHECKING, Any
 
 from filelock import FileLock
+from msgspec import Struct, to_builtins
 
 from certkit.documents.result import Result
 from certkit.errors import DataError
@@ -34,8 +34,7 @@ DOCUMENTS = "results"
 SCHEMA = "certkit-logbook-index/1"
 
 
-@dataclass(frozen=True)
-class Logbook:
+class Logbook(Struct, frozen=True):
     """A folder with the documents in `results/` and the index beside them."""
 
     folder: Path
@@ -197,10 +196,7 @@ def _index(logbook: Logbook) -> dict[str, tuple[list[int], LogbookEntry]]:
 
 def _index_text(found: dict[str, tuple[list[int], LogbookEntry]]) -> str:
     """Return the index as text, with the checksum of what it holds."""
-    files = {
-        name: [stamp, asdict(entry) | {"day": entry.day.isoformat()}]
-        for name, (stamp, entry) in found.items()
-    }
+    files = {name: [stamp, to_builtins(entry)] for name, (stamp, entry) in found.items()}
     text = json.dumps(files, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
     checksum = hashlib.sha256(text.encode()).hexdigest()
     return f'{{"schema":"{SCHEMA}","sum":"{checksum}",\n"files":{text}}}\n'

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from datetime import timedelta
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from certkit.definitions.logbook_rules import Count, Interval, TestSequence
 from certkit.documents.logbook_overview import Validity
@@ -125,8 +126,7 @@ def _count(rule: Count, entries: Sequence[LogbookEntry]) -> Validity:
     return _said(rule, state="valid" if left else "due", why=why, left=left, used=used)
 
 
-@dataclass
-class _Turn:
+class _Turn(Struct):
     """Where a sequence of certification tests stands.
 
     Parameters

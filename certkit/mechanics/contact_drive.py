@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from msgspec import Struct
+from msgspec.structs import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,8 +29,7 @@ STEP = 2e-5
 SAMPLE, FRAME = 5, 500
 
 
-@dataclass(frozen=True)
-class LedMotion:
+class LedMotion(Struct, frozen=True):
     """How leg and front move.
 
     Parameters

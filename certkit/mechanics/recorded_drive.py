@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.mechanics.rig.front_groups import add_groups
 from certkit.mechanics.rig.recorded_forces import add_recorded
@@ -23,8 +24,7 @@ STEP = 1e-5
 SAMPLE, FRAME = 5, 100
 
 
-@dataclass(frozen=True)
-class DrivenFront:
+class DrivenFront(Struct, frozen=True):
     """What a front did under given forces.
 
     Parameters

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.errors import RunError
 from certkit.files.limits import MAX_KEPT_SAMPLES
@@ -47,8 +48,7 @@ FRAME = 1e-3
 """s between two frames of the motion."""
 
 
-@dataclass(frozen=True)
-class Simulation:
+class Simulation(Struct, frozen=True, dict=True):
     """What a simulated test yields.
 
     Parameters

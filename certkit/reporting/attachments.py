@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
-from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.exchange.channels_csv import channels_csv
 from certkit.reporting.dcc_report import dcc, lacking
@@ -21,8 +22,7 @@ MANIFEST = "manifest.json"
 SCHEMA = "certkit-attachments/1"
 
 
-@dataclass(frozen=True)
-class Enclosure:
+class Enclosure(Struct, frozen=True):
     """One attached file."""
 
     name: str

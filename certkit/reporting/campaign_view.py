@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.reporting.language import english, language
 from certkit.reporting.number_format import MISSING, SIGNS, fixed, plain, shown
@@ -38,8 +39,7 @@ NEAR = 90.0
 """Percent of a limit from which on a passing value counts as near it."""
 
 
-@dataclass(frozen=True)
-class Head:
+class Head(Struct, frozen=True):
     """A column of the table: a criterion, or what a value is held against."""
 
     id: str
@@ -52,8 +52,7 @@ class Head:
         return f"{self.id} [{self.unit}]"
 
 
-@dataclass(frozen=True)
-class Cell:
+class Cell(Struct, frozen=True):
     """A value of the table."""
 
     text: str
@@ -67,8 +66,7 @@ class Cell:
         return max(0.0, min(100.0, self.percent or 0.0))
 
 
-@dataclass(frozen=True)
-class ShownPoint:
+class ShownPoint(Struct, frozen=True):
     """A row of the table."""
 
     point: PointReport

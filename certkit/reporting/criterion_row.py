@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.reporting import number_format as words
 
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
     """A language's fixed word for an English one: `certkit.reporting.language.Language.word`."""
 
 
-@dataclass(frozen=True)
-class Row:
+class Row(Struct, frozen=True, dict=True):
     """A line of the criteria table, in words.
 
     Parameters

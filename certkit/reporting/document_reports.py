@@ -7,9 +7,8 @@ takes the document, a folder and formats, and returns the files it wrote.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from importlib import import_module
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from certkit.errors import UsageError
 from certkit.reporting.language_list import ENGLISH
@@ -24,8 +23,7 @@ if TYPE_CHECKING:
     from certkit.reporting.result_view import View
 
 
-@dataclass(frozen=True)
-class DocumentReport:
+class DocumentReport(NamedTuple):
     """How one kind of document is rendered.
 
     Parameters

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.reporting.channel_names import channel_scale, channel_words
 from certkit.reporting.charts.extraction_charts import material_chart, momentum_chart, path_charts
@@ -25,8 +26,7 @@ if TYPE_CHECKING:
     from certkit.reporting.svg import Drawing
 
 
-@dataclass(frozen=True)
-class ChannelView:
+class ChannelView(Struct, frozen=True):
     """A channel of the leg with its figure; values in the unit that is shown."""
 
     check: ChannelCheck
@@ -36,8 +36,7 @@ class ChannelView:
     drawing: Drawing | None
 
 
-@dataclass(frozen=True)
-class GroupView:
+class GroupView(Struct, frozen=True):
     """A group with its figures: how it moves, and how the leg presses on it."""
 
     name: str
@@ -47,8 +46,7 @@ class GroupView:
     drawings: list[Drawing]
 
 
-@dataclass(frozen=True)
-class SpringView:
+class SpringView(Struct, frozen=True):
     """A spring or sheet with its force over shortening, and what it did in the coupled run.
 
     `beyond` is how far model and run went, m, where the model went farther.
@@ -60,16 +58,14 @@ class SpringView:
     drawing: Drawing | None
 
 
-@dataclass(frozen=True)
-class PathView:
+class PathView(Struct, frozen=True):
     """A load path with its histories."""
 
     path: PathResult
     drawings: list[Drawing]
 
 
-@dataclass(frozen=True)
-class ExtractionView:
+class ExtractionView(Struct, frozen=True):
     """All that the page and the PDF of an extraction show, with its figures drawn."""
 
     stills: Drawing | None

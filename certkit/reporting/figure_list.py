@@ -6,12 +6,11 @@ ask this list. A file of drawing code is imported when its figure is wanted.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from types import MappingProxyType
+from typing import NamedTuple
 
 
-@dataclass(frozen=True)
-class FigureEntry:
+class FigureEntry(NamedTuple):
     """A figure.
 
     Parameters

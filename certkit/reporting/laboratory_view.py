@@ -7,9 +7,10 @@ that a header holds is shown as well, under its own words.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 from datetime import date
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct, field
 
 from certkit.reporting.language import language
 
@@ -30,8 +31,7 @@ _PLACED |= {"customer", "item", "test", "persons"}
 _PLACED |= {"sensors", "equipment"}
 
 
-@dataclass(frozen=True)
-class HeaderTable:
+class HeaderTable(Struct, frozen=True):
     """A list of like entries, e.g. sensors with serial and calibration date."""
 
     title: str
@@ -39,8 +39,7 @@ class HeaderTable:
     rows: list[list[str]]
 
 
-@dataclass(frozen=True)
-class LaboratoryView:
+class LaboratoryView(Struct, frozen=True):
     """What the report shows of laboratory, customer, item and test.
 
     Parameters

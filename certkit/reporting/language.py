@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import string
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, TypeVar
+
+from msgspec import Struct
 
 from certkit.documents.wording import with_words
 from certkit.errors import UsageError
@@ -30,8 +31,7 @@ Translate = Callable[..., str]
 """A language's fixed word for an English one: `Language.word`."""
 
 
-@dataclass(frozen=True)
-class Language:
+class Language(Struct, frozen=True):
     """A language.
 
     Parameters

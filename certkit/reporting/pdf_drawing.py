@@ -8,10 +8,12 @@ drawing with anything else in it is left to WeasyPrint.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
 from functools import cache
 from math import pi, tan
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.reporting.svg import number
 
@@ -74,8 +76,7 @@ def split_drawings(html: str) -> Iterator[tuple[str, bool]]:
     yield html[place:], False
 
 
-@dataclass(frozen=True)
-class Inherited:
+class Inherited(Struct, frozen=True):
     """What an element inherits, beginning with SVG's initial values."""
 
     fill: str = "#000"

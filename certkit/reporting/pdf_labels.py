@@ -5,9 +5,10 @@ This is the one place that uses what WeasyPrint does not call public: how it set
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple
+
+from msgspec import Struct, field
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -20,8 +21,7 @@ class Label(NamedTuple):
     width: float
 
 
-@dataclass
-class Labels:
+class Labels(Struct):
     """The texts of all drawings of one document.
 
     Parameters

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.reporting import number_format as words
 from certkit.reporting.channel_order import ordered_channels
@@ -34,8 +35,7 @@ CALIBRATION = "calibration left, "
 """Begins the quantity of a precondition that stands in the table of equipment."""
 
 
-@dataclass(frozen=True)
-class LinkedDrawing:
+class LinkedDrawing(Struct, frozen=True):
     """A figure with the key that links point to."""
 
     key: str
@@ -44,16 +44,14 @@ class LinkedDrawing:
     criterion: str | None = None
 
 
-@dataclass(frozen=True)
-class NumberGroup:
+class NumberGroup(Struct, frozen=True):
     """Numbers that went in from one file: (name, value, confidence, number of the source)."""
 
     title: str
     rows: list[tuple[str, str, str, int]]
 
 
-@dataclass(frozen=True)
-class View:
+class View(Struct, frozen=True, dict=True):
     """A result, ready for every format.
 
     Its figures are drawn when they are first asked for, and then kept: page and PDF show the same ones, and

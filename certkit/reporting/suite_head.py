@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.documents.verdicts import worst
 
@@ -14,8 +15,7 @@ if TYPE_CHECKING:
     from certkit.reporting.result_view import View
 
 
-@dataclass(frozen=True)
-class SuiteHead:
+class SuiteHead(Struct, frozen=True):
     """The head of a suite.
 
     Parameters

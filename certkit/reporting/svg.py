@@ -7,9 +7,10 @@ its import alone took 0.96 s and eleven figures 540 KB; these cost some millisec
 from __future__ import annotations
 
 import unicodedata
-from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.reporting.palette import INK
 
@@ -63,8 +64,7 @@ def path(points: Iterable[tuple[float, float]], *, closed: bool = False) -> str:
     return "".join(data) + ("z" if closed else "")
 
 
-@dataclass(frozen=True)
-class Drawing:
+class Drawing(Struct, frozen=True):
     """A drawing with its size, so that it can be placed in another one; a template shows it as it is.
 
     Parameters

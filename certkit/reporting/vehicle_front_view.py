@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.reporting.channel_names import is_channel
 from certkit.reporting.charts.lines import lines_chart
@@ -15,8 +16,7 @@ if TYPE_CHECKING:
 WIDTH, HEIGHT = 360.0, 220.0
 
 
-@dataclass(frozen=True)
-class FrontView:
+class FrontView(Struct, frozen=True):
     """Drawings of a front, and its energies: (what, J received from the leg or absorbed), largest first."""
 
     contact: Drawing

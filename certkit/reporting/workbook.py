@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import io
 import re
-from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any, NamedTuple
+
+from msgspec import Struct
 
 from certkit.documents.unverified import MARK, is_marked
 from certkit.errors import MissingPartError
@@ -38,8 +39,7 @@ class Tinted(NamedTuple):
 Cell = str | float | None | Tinted
 
 
-@dataclass(frozen=True)
-class TablePlace:
+class TablePlace(Struct, frozen=True):
     """Where a table stands: its sheet, its head's row, its number of rows."""
 
     sheet: str

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from copy import copy
 from importlib import import_module
 from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from certkit.errors import MissingPartError, UsageError
 from certkit.files import write_whole
@@ -116,8 +117,8 @@ def render_suite(  # noqa: PLR0913  # what may be at hand already, beside what i
 
 def _with_pdf(view: View, pdf: bytes | None) -> View:
     """Return a view with its certificate; what was drawn stays drawn."""
-    other = copy(view)
-    object.__setattr__(other, "pdf", pdf)
+    other = replace(view, pdf=pdf)
+    vars(other).update(vars(view))
     return other
 
 

@@ -12,10 +12,10 @@ until the record's end: there the channel has dropped, and its peak stands befor
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -52,8 +52,7 @@ _BESIDE = 0.25
 """Share of the flat's width that has to be recorded beside it to be a shoulder."""
 
 
-@dataclass(frozen=True)
-class Clipping:
+class Clipping(Struct, frozen=True):
     """Where a channel was cut off: `level` in its SI unit, and the index of the first sample there."""
 
     level: float

@@ -8,10 +8,11 @@ finite-element run only time axis, time zero and signs are looked at.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.errors import DataError
@@ -34,8 +35,7 @@ UNIFORM = 0.01
 """Largest deviation of a sample from the uniform time axis, in sampling intervals."""
 
 
-@dataclass(frozen=True)
-class Situation:
+class Situation(Struct, frozen=True):
     """What conditioning has to know about a test.
 
     Parameters

@@ -8,10 +8,10 @@ bone curves are shifted down together until all of them cross; the shift serves 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.reasons import Reason
 
@@ -32,8 +32,7 @@ and not the record's end; a lowest value within it is as good as zero. Above the
 estimate."""
 
 
-@dataclass(frozen=True)
-class AssessmentInterval:
+class AssessmentInterval(Struct, frozen=True):
     """The interval and how it was found.
 
     Parameters

@@ -12,10 +12,10 @@ pairs agree to the last digits.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.reasons import Reason, UnusableError
@@ -38,8 +38,7 @@ TIE = 1e-12
 Grade = Literal["excellent", "good", "fair", "poor"]
 
 
-@dataclass(frozen=True)
-class Rating:
+class Rating(Struct, frozen=True):
     """The four ratings, their weighted sum, and the grade in words."""
 
     corridor: float

@@ -5,10 +5,10 @@ UN R127, 02 series, annex 5, 1.13. The clause names the tibia only; which channe
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 if TYPE_CHECKING:
     from certkit.signals.recording import Recording
@@ -19,8 +19,7 @@ FREE_FLIGHT_NOISE = "free-flight noise"
 """Name of the condition, N·m."""
 
 
-@dataclass(frozen=True)
-class FreeFlightNoise:
+class FreeFlightNoise(Struct, frozen=True):
     """The largest tibia moment in free flight.
 
     Parameters

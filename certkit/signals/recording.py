@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
+
+from msgspec import Struct, field
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -23,8 +24,7 @@ def _shipped() -> ChannelTable:
     return default_channels()
 
 
-@dataclass(frozen=True)
-class Channel:
+class Channel(Struct, frozen=True):
     """One measured or simulated quantity over the recording's time axis.
 
     Parameters
@@ -51,8 +51,7 @@ class Channel:
     notes: tuple[Reason, ...] = ()
 
 
-@dataclass(frozen=True)
-class Recording:
+class Recording(Struct, frozen=True):
     """All channels of one test on one time axis; time zero is the first contact.
 
     Parameters

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.signals.offset import SHORTEST
 
@@ -21,8 +22,7 @@ _RISE = 0.05  # of the peak
 _FOOT = 0.005  # of the peak, or three times the noise
 
 
-@dataclass(frozen=True)
-class Contact:
+class Contact(Struct, frozen=True):
     """First contact: `time` on the recording's axis (s) and the `channel` it was found on."""
 
     time: float

@@ -6,11 +6,11 @@ The formulas stand in `certkit.studies.propagate_uncertainty`.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from statistics import NormalDist
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.documents.uncertainty_report import BudgetLine, CriterionUncertainty
 from certkit.errors import UsageError
@@ -27,8 +27,7 @@ if TYPE_CHECKING:
     from certkit.studies.points import Outcome
 
 
-@dataclass(frozen=True)
-class SensorError:
+class SensorError(Struct, frozen=True):
     """Standard uncertainties of one channel: of its gain as a share, of its offset in the channel's unit."""
 
     gain: float = 0.0

@@ -10,10 +10,11 @@ import contextlib
 import logging
 import time
 from concurrent.futures import CancelledError
-from dataclasses import dataclass
 from importlib import import_module
 from itertools import chain, islice
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from certkit._version import __version__
 from certkit.errors import RunError, UsageError
@@ -41,8 +42,7 @@ MOST_RETRIES = 5
 """How often a chunk is sent again that was lost with the workers that held the evaluation."""
 
 
-@dataclass(frozen=True)
-class ClusterAddress:
+class ClusterAddress(Struct, frozen=True):
     """Where a scheduler listens, and what proves to it who we are.
 
     Parameters

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -15,8 +17,7 @@ Progress = Callable[[int, int, int], None]
 """Called with how many runs of a batch are done, how many it has, and how many of them failed."""
 
 
-@dataclass(frozen=True)
-class Execution:
+class Execution(Struct, frozen=True):
     """Where and how runs are done; their numbers are the same everywhere.
 
     Parameters

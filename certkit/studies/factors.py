@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Literal
+
+from msgspec import Struct
 
 from certkit.errors import UsageError
 from certkit.studies.quantity import in_unit, share, split_quantity
@@ -19,8 +20,7 @@ CUT = 3.0
 """Standard deviations at which a normal distribution is cut off: a rig outside is not let to the test."""
 
 
-@dataclass(frozen=True)
-class Uniform:
+class Uniform(Struct, frozen=True):
     """Every value between two is as likely."""
 
     word: ClassVar[Literal["uniform"]] = "uniform"
@@ -33,8 +33,7 @@ class Uniform:
         return self.low + p * (self.high - self.low)
 
 
-@dataclass(frozen=True)
-class NormalFactor:
+class NormalFactor(Struct, frozen=True):
     """A bell, cut off at `CUT` standard deviations."""
 
     word: ClassVar[Literal["normal"]] = "normal"
@@ -60,8 +59,7 @@ class NormalFactor:
         return self.mean + CUT * self.sd
 
 
-@dataclass(frozen=True)
-class Triangular:
+class Triangular(Struct, frozen=True):
     """Likeliest in the middle, impossible at both ends."""
 
     word: ClassVar[Literal["triangular"]] = "triangular"
@@ -78,8 +76,7 @@ class Triangular:
         return self.high - math.sqrt((1 - p) * width * (self.high - self.mode))
 
 
-@dataclass(frozen=True)
-class Levels:
+class Levels(Struct, frozen=True):
     """A list of numbers or words, each as likely."""
 
     word: ClassVar[Literal["levels"]] = "levels"
@@ -94,8 +91,7 @@ class Levels:
 Distribution = Uniform | NormalFactor | Triangular | Levels
 
 
-@dataclass(frozen=True)
-class Factor:
+class Factor(Struct, frozen=True):
     """A parameter of a study.
 
     Parameters

@@ -6,10 +6,10 @@ break a limit are ranked by how far they break it, so the search finds its way i
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from msgspec import Struct, field
 
 from certkit.definitions.corridor_set import ValueWindow
 from certkit.errors import RunError, UsageError
@@ -42,8 +42,7 @@ WALK = 40
 """Runs below which a walk is not worth its while."""
 
 
-@dataclass(frozen=True)
-class Limit:
+class Limit(Struct, frozen=True):
     """What an output has to keep: at least `lower`, at most `upper`, in its unit."""
 
     lower: float | None
@@ -63,8 +62,7 @@ def _size(limit: float) -> float:
     return abs(limit) if limit else 1.0
 
 
-@dataclass(frozen=True)
-class Optimum:
+class Optimum(Struct, frozen=True):
     """What an optimisation found.
 
     Parameters

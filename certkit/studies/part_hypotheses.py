@@ -13,10 +13,10 @@ uncertainties explain.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Self
 
 import numpy as np
+from msgspec import Struct
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -35,8 +35,7 @@ POOR = 4.0
 """χ² per sample from which on no single part counts as an explanation."""
 
 
-@dataclass(frozen=True)
-class Compared:
+class Compared(Struct, frozen=True):
     """Recorded curves at the places where they are compared, with their uncertainties. SI units.
 
     Parameters
@@ -77,8 +76,7 @@ class Compared:
         return np.asarray(np.linalg.inv(covariance + np.outer(moved, moved)), dtype=np.float64)
 
 
-@dataclass(frozen=True)
-class PartFit:
+class PartFit(Struct, frozen=True):
     """The best change of one part.
 
     Parameters
@@ -99,8 +97,7 @@ class PartFit:
     curves: Mapping[str, NDArray[np.float64]]
 
 
-@dataclass(frozen=True)
-class PartHypothesis:
+class PartHypothesis(Struct, frozen=True):
     """One part alone, with what the model says of it.
 
     Parameters

@@ -6,7 +6,8 @@ import hashlib
 import json
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 Setting = float | str
 """A parameter's value: a number in the parameter's unit, or a word."""
@@ -21,8 +22,7 @@ Evaluate = Callable[[Point], Outputs]
 """One run. It has to be picklable, and has to give the same bits for the same point in any process."""
 
 
-@dataclass(frozen=True)
-class Outcome:
+class Outcome(Struct, frozen=True):
     """A run's outputs, or the error it ended with: a failed run is a row like any other.
 
     Parameters

@@ -9,11 +9,11 @@ model is bent within the tolerances, the two differ.
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec.structs import replace
 
 from certkit._version import __version__
 from certkit.bench.render_documents import render

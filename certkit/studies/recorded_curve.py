@@ -10,10 +10,10 @@ How well it is followed:
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct, field
 
 from certkit.definitions.channels import TIME
 from certkit.definitions.loading.channel_tables import default_channels
@@ -30,8 +30,7 @@ FINE = 2001
 """Places in the window at which two curves are compared."""
 
 
-@dataclass(frozen=True)
-class RecordedCurve:
+class RecordedCurve(Struct, frozen=True):
     """A recorded curve with the window in which it counts. SI units.
 
     Parameters

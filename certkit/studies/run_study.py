@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from certkit.bench.render_documents import render
 from certkit.bench.result_folder import refuse_other_name

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import asdict
 
 from certkit._version import __version__
 from certkit.documents.optimum_report import OptimumReport, OptimumValue, PursuedAim

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from certkit.definitions.loading.library import load
 from certkit.definitions.study import DESIGNS, Study
@@ -27,8 +29,7 @@ if TYPE_CHECKING:
     from certkit.studies.points import Point
 
 
-@dataclass(frozen=True)
-class Findings:
+class Findings(Struct, frozen=True):
     """What a study found.
 
     Parameters

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.bench.results_at_path import results_at
 from certkit.bench.setup import prepare
@@ -25,8 +26,7 @@ if TYPE_CHECKING:
     from certkit.signals import Filtered
 
 
-@dataclass(frozen=True)
-class TestedLeg:
+class TestedLeg(Struct, frozen=True):
     """One recording with the model of its test."""
 
     result: Result

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec import Struct, field
 
 import certkit
 from certkit.bench.package_versions import package_versions
@@ -29,8 +30,7 @@ DECISIVE = ("definitions", "signals", "mechanics", "grading")
 """Rooms whose code can change a number: part of what a run is remembered by."""
 
 
-@dataclass(frozen=True)
-class Trial:
+class Trial(Struct, frozen=True, dict=True):
     """An evaluation of points by one or several procedures.
 
     Outputs are `PROCEDURE/CRITERION`, the same with ` margin` behind it (distance to the nearer limit,

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from msgspec.structs import replace
 from support.sheets import TIME, bump, corridor_set, grade, only, procedure, recording
 
 from certkit.definitions.loading.library import load

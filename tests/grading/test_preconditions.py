@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
+from msgspec.structs import replace
 from support.sheets import bump, corridor_set, grade, procedure, recording
 
 WINDOW = corridor_set(windows={"T1": {"upper": "272 N·m"}})

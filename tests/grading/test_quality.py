@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.errors import UsageError
 from certkit.grading import StepChange, grade_quality, largest_step_change, numerical_uncertainties
@@ -15,8 +16,7 @@ from certkit.grading.front_limits import FrontUse, Use
 from certkit.grading.refinement import numerical_uncertainty
 
 
-@dataclass(frozen=True)
-class Figures:
+class Figures(Struct, frozen=True):
     energy_error_percent: float = 0.05
     joint_gap_mm: float = 0.006
     penetration_mm: float = 0.3

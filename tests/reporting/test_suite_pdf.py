@@ -2,10 +2,10 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterator
-from dataclasses import replace
 
 import pikepdf
 import pytest
+from msgspec.structs import replace
 from support import synthetic_result
 
 from certkit.reporting.pdf_report import certificate

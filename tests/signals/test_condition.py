@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from support.curves import Floats, channel, half_sine, recording
 
 from certkit.errors import DataError

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -85,7 +84,7 @@ def grade(
     **more: Any,  # noqa: ANN401  # fields of what a laboratory or a simulated run brings
 ) -> Result:
     """Grade by a made-up sheet; `quality=`, `decision=` and the like go where they belong."""
-    own = {field.name for field in fields(SimulatedTerms)}
+    own = set(SimulatedTerms.__struct_fields__)
     result = evaluate(
         measure_all(sheet, rec, lenient=lenient),
         GradingTerms(corridors, PROVENANCE, reference),

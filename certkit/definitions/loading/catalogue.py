@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.definitions.loading.kinds import KINDS, Kind, kind_of
 from certkit.definitions.loading.library import find, names
@@ -14,8 +15,7 @@ if TYPE_CHECKING:
     from certkit.definitions.loading.library import Library
 
 
-@dataclass(frozen=True)
-class CatalogueEntry:
+class CatalogueEntry(Struct, frozen=True):
     """One definition of the library.
 
     Parameters

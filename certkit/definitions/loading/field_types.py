@@ -6,17 +6,16 @@ Origins are inherited, paths are found and numbers are listed along this one des
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import cache
 from typing import Any, Literal, get_args, get_origin
 
+from msgspec import Struct
 from pydantic import BaseModel
 
 from certkit.definitions.provenance import QuantityDimension
 
 
-@dataclass(frozen=True)
-class FieldType:
+class FieldType(Struct, frozen=True):
     """What stands under a key.
 
     Parameters
@@ -40,8 +39,7 @@ class FieldType:
     axes: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class Axes:
+class Axes(Struct, frozen=True):
     """Marks a list of numbers as a point in space: its coordinates have names."""
 
     names: tuple[str, ...]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from importlib import import_module
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, cast
+
+from msgspec import Struct
 
 from certkit.errors import UsageError
 
@@ -18,8 +19,7 @@ if TYPE_CHECKING:
     from certkit.errors import Problem
 
 
-@dataclass(frozen=True)
-class Kind:
+class Kind(Struct, frozen=True):
     """One kind of definition file.
 
     Parameters

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic, Literal, TypeVar, cast, overload
 
+from msgspec import Struct
+from msgspec.structs import replace
 from pydantic import BaseModel
 
 from certkit.definitions.confirmation import confirmation_name
@@ -54,8 +55,7 @@ Library = str | Path | Sequence[str | Path | DefinitionStore]
 """Folders with own definitions, one or several; searched before the shipped ones, in this order."""
 
 
-@dataclass(frozen=True)
-class Loaded(Generic[D_co]):
+class Loaded(Struct, Generic[D_co], frozen=True):
     """A definition with where it came from.
 
     Parameters

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.definitions.loading.error_messages import plain
 from certkit.definitions.loading.overrides import words_of
@@ -26,8 +28,7 @@ if TYPE_CHECKING:
     from certkit.definitions.loading.overrides import Overrides
 
 
-@dataclass(frozen=True)
-class Moved:
+class Moved(Struct, frozen=True):
     """A file's data in today's form.
 
     Parameters

@@ -10,8 +10,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.definitions.loading.error_messages import nearest, plain, suggestion
 from certkit.definitions.loading.field_types import FieldType, fields
@@ -31,8 +33,7 @@ Overrides = Mapping[str, object]
 ORIGIN = {"source": "set on the command line", "confidence": "estimated"}
 
 
-@dataclass(frozen=True)
-class Change:
+class Change(Struct, frozen=True):
     """A value that was changed.
 
     Parameters
@@ -53,8 +54,7 @@ class Change:
     remark: str = ""
 
 
-@dataclass(frozen=True)
-class _Spot:
+class _Spot(Struct, frozen=True):
     """Where a path leads: the steps in the file's words, what stands there, the part that has its origin."""
 
     steps: Steps
@@ -64,8 +64,7 @@ class _Spot:
     numbered: bool = False
 
 
-@dataclass(frozen=True)
-class _Entry:
+class _Entry(Struct, frozen=True):
     """Something that can be named below a value: the steps to it, what it holds, its name of today.
 
     `numbered` where it was named by its number though it has a name.

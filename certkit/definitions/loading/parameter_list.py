@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from msgspec import Struct
 from pydantic import BaseModel
 
 from certkit.definitions.base import Sourced, words
@@ -15,8 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 
-@dataclass(frozen=True)
-class ListedParameter:
+class ListedParameter(Struct, frozen=True):
     """A number or corridor with its origin.
 
     Parameters

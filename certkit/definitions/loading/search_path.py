@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from hashlib import sha256
 from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Protocol
+
+from msgspec import Struct
 
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.validation import read_bytes
@@ -27,8 +28,7 @@ _DEVICE = re.compile(
 )  # Windows opens no file of such a name
 
 
-@dataclass(frozen=True)
-class Found:
+class Found(Struct, frozen=True, dict=True):
     """A definition as found.
 
     Parameters
@@ -71,8 +71,7 @@ class DefinitionStore(Protocol):
         ...
 
 
-@dataclass(frozen=True)
-class FolderStore:
+class FolderStore(Struct, frozen=True):
     """A folder laid out like the shipped ones (`procedures/`, `models/legforms/`), or with the files in it.
 
     The last of such folders will do too: a fit writes its family into `families/` beside its legform.
@@ -135,8 +134,7 @@ class FolderStore:
         return inside if self.label == "" else f"{self.label or self.folder}/{inside}"
 
 
-@dataclass(frozen=True)
-class TextStore:
+class TextStore(Struct, frozen=True):
     """Definitions at hand: {(kind's word, name): text}, such as a certificate embeds."""
 
     texts: Mapping[tuple[str, str], str]
@@ -152,8 +150,7 @@ class TextStore:
         return sorted(name for word, name in self.texts if word == kind.word)
 
 
-@dataclass(frozen=True)
-class RememberedStore:
+class RememberedStore(Struct, frozen=True, dict=True):
     """Another store, each of whose definitions is looked for once: all runs of a study meet the same files.
 
     Parameters
@@ -162,8 +159,14 @@ class RememberedStore:
     """
 
     store: DefinitionStore
-    _found: dict[tuple[str, str], Found | None] = field(default_factory=dict, compare=False, repr=False)
-    _names: dict[str, list[str]] = field(default_factory=dict, compare=False, repr=False)
+
+    @cached_property
+    def _found(self) -> dict[tuple[str, str], Found | None]:
+        return {}
+
+    @cached_property
+    def _names(self) -> dict[str, list[str]]:
+        return {}
 
     def find(self, kind: Kind, name: str) -> Found | None:
         """Return the definition as it was found the first time."""

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
+from msgspec.structs import asdict
 
 from certkit.definitions.corridor_set import CorridorSet
 from certkit.definitions.loading.error_messages import suggestion
@@ -26,8 +28,7 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Criterion
 
 
-@dataclass(frozen=True)
-class Sheet:
+class Sheet(Struct, frozen=True):
     """What there is to read about a definition; every entry is words.
 
     Parameters

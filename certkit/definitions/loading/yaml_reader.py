@@ -7,11 +7,11 @@ the places.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import yaml
+from msgspec import Struct, field
 
 from certkit.definitions.loading.yaml_scalars import plain_scalar
 from certkit.errors import DefinitionError, Problem
@@ -31,8 +31,7 @@ Place = tuple[int, int]
 """Line and column, one-based."""
 
 
-@dataclass(frozen=True)
-class Tree:
+class Tree(Struct, frozen=True):
     """A YAML file as plain data, with the place of each value and key.
 
     Parameters
@@ -171,8 +170,7 @@ def _syntax(error: yaml.MarkedYAMLError, text: str) -> str:
     return f"is not YAML: {error.problem or error.context}{hint}"
 
 
-@dataclass
-class _Reader:
+class _Reader(Struct):
     """Builds the tree from events, at most `MAX_DEFINITION_DEPTH` deep and `MAX_DEFINITION_VALUES` large."""
 
     file: str

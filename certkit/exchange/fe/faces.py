@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes
@@ -19,8 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-@dataclass(frozen=True)
-class Face:
+class Face(Struct, frozen=True):
     """Mass and face of one part. Heights are above the ground, x grows into the car; metres and kilograms.
 
     `position` is x at the middle of the height span and `slope` is dx/dz, both a straight line through the

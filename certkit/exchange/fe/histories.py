@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from dataclasses import dataclass, field
 from difflib import get_close_matches
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, TypeVar
+
+from msgspec import Struct, field
 
 from certkit.errors import DataError
 
@@ -26,8 +27,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-@dataclass(frozen=True)
-class Units:
+class Units(Struct, frozen=True):
     """Factors from a file's consistent units to SI.
 
     Parameters
@@ -79,8 +79,7 @@ def parse_units(words: str) -> Units:
     )
 
 
-@dataclass(frozen=True)
-class PartHistory:
+class PartHistory(Struct, frozen=True):
     """One part (or rigid body) of the finite-element model.
 
     Parameters
@@ -110,24 +109,21 @@ class PartHistory:
     start: Place | None = None
 
 
-@dataclass(frozen=True)
-class ContactHistory:
+class ContactHistory(Struct, frozen=True):
     """What one contact interface has passed on along x: impulse in N·s and, where recorded, force in N."""
 
     impulse: Values
     force: Values | None = None
 
 
-@dataclass(frozen=True)
-class SpringHistory:
+class SpringHistory(Struct, frozen=True):
     """A discrete spring to the ground: force on the ground in N and shortening in m, both positive in +x."""
 
     force: Values
     shortening: Values | None = None
 
 
-@dataclass(frozen=True)
-class PartHistories:
+class PartHistories(Struct, frozen=True):
     """All histories of one finite-element run on the solver's own, slightly uneven time axis.
 
     Parameters

@@ -9,12 +9,12 @@ on from there and leaves what the earlier had written beyond.
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.errors import DataError
 
@@ -33,8 +33,7 @@ UNLIKE = 5.0
 """Per cent of the largest value by which two files may differ where their times overlap."""
 
 
-@dataclass(frozen=True)
-class TableFile:
+class TableFile(Struct, frozen=True):
     """A file's share of a table: its times, and its objects as (id, how often it has stood there before)."""
 
     name: str

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.exchange.fe.numeric_table import read_cells
@@ -21,8 +21,7 @@ COLUMNS = ("time_ms", "node", "line", "x_mm", "z_mm")
 FOUND_BY_NAME = "animation*.csv*"
 
 
-@dataclass(frozen=True)
-class NodeMotion:
+class NodeMotion(Struct, frozen=True):
     """Places of nodes over time, in m and s.
 
     Parameters

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import csv
 import io
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes, require_finite
@@ -26,8 +26,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-@dataclass(frozen=True)
-class NumericTable:
+class NumericTable(Struct, frozen=True):
     """Columns of numbers by their head, in the order of the file."""
 
     columns: Mapping[str, NDArray[np.float64]]

@@ -10,10 +10,10 @@ Both the native file and its conversion to CSV arrive here as `Block`s of variab
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec.structs import replace
 
 from certkit.errors import DataError
 from certkit.exchange.fe.consistency import require_consistent

@@ -16,10 +16,10 @@ from __future__ import annotations
 
 import math
 import struct
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.exchange.fe.histories import distinct
@@ -48,8 +48,7 @@ _NEAR = 1e-5
 """Share by which a 32-bit factor may differ from the unit's."""
 
 
-@dataclass(frozen=True)
-class ObjectGroup:
+class ObjectGroup(Struct, frozen=True):
     """Objects of one kind with their variables, as the directory announces them."""
 
     kind: int
@@ -58,8 +57,7 @@ class ObjectGroup:
     ids: tuple[int, ...] = ()
 
 
-@dataclass(frozen=True)
-class HistoryDirectory:
+class HistoryDirectory(Struct, frozen=True):
     """What every instant of the file holds, in the order of its records.
 
     `factors` are the file's own units of mass, length and time in kg, m and s; None where it has none.

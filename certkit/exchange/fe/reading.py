@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.errors import DataError
 from certkit.exchange.fe.faces import Face, read_faces
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
     from certkit.exchange.fe.histories import PartHistories, PartHistory, Values
 
 
-@dataclass(frozen=True)
-class FrontData:
+class FrontData(Struct, frozen=True):
     """Histories of a finite-element run and what is known of its parts' faces and their nodes' motion."""
 
     histories: PartHistories

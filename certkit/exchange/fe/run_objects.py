@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.errors import DataError
 from certkit.exchange.fe.run_histories import RunFiles, Samples, combined, factor_of
@@ -20,8 +20,7 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class NodePath:
+class NodePath(Struct, frozen=True):
     """Where a node is over time, in the run's own units.
 
     Parameters

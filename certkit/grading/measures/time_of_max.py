@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, ClassVar
+
+from msgspec.structs import replace
 
 from certkit.definitions.channels import TIME
 from certkit.grading.measures.measure_method import PeakMethod

@@ -12,7 +12,6 @@ spring forces before and after, times the slip.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -22,8 +21,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class CondyleContact(ForceLaw):
+class CondyleContact(ForceLaw, kw_only=True):
     """One condyle in its trough.
 
     Parameters

@@ -21,7 +21,6 @@ document.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -64,8 +63,7 @@ def friction_share(closing: float, loss: float, reversal: float) -> float:
     return loss * math.tanh(closing / reversal)
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class FleshCompression(ForceLaw):
+class FleshCompression(ForceLaw, kw_only=True):
     """One strip of a face; the strips of a body follow each other from top to bottom.
 
     Parameters

@@ -10,7 +10,6 @@ k = m·(2πf)², c = 2·ζ·m·2πf.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -20,8 +19,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class FleshSuspension(ForceLaw):
+class FleshSuspension(ForceLaw, kw_only=True):
     """One piece of flesh.
 
     Parameters

@@ -17,7 +17,6 @@ that front is.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -46,8 +45,7 @@ def _place(strips: Rows[FoldingFaceContact], now: Instant) -> None:
         strip.seen = seen
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class FoldingFaceContact(ForceLaw):
+class FoldingFaceContact(ForceLaw, kw_only=True):
     """One strip of a face.
 
     Parameters

@@ -13,7 +13,6 @@ one crush strength.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -58,8 +57,7 @@ def flesh_depth(approach: float, cosine: float, strength: float, scale: float, s
     return 0.5 * (low + high)
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class Honeycomb(ForceLaw):
+class Honeycomb(ForceLaw, kw_only=True):
     """One strip of the honeycomb's face; the strips of a body follow each other from top to bottom.
 
     Parameters

@@ -13,7 +13,6 @@ segment; four steel cables in each segment prevent over-bending (seed paper, sec
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -23,8 +22,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class JointSpring(ForceLaw):
+class JointSpring(ForceLaw, kw_only=True):
     """One joint.
 
     Parameters

@@ -11,13 +11,11 @@ Axes: x towards the obstacle, z up, angles positive anticlockwise seen from -y. 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple
 
 from certkit.mechanics.records import Record, Rows
 
 
-@dataclass(eq=False, repr=False)
 class Pose(Record):
     """Where a body is, at the instant the forces act: centre of gravity (m), angle (rad), cosine and sine."""
 
@@ -28,7 +26,6 @@ class Pose(Record):
     sin: float
 
 
-@dataclass(eq=False, repr=False)
 class Velocity(Record):
     """A body's velocity: m/s, m/s and rad/s."""
 
@@ -37,7 +34,6 @@ class Velocity(Record):
     angular: float
 
 
-@dataclass(eq=False, repr=False)
 class Load(Record):
     """Force on a body through its centre of gravity (N) and torque about it (N·m)."""
 
@@ -46,7 +42,6 @@ class Load(Record):
     torque: float
 
 
-@dataclass(eq=False, repr=False)
 class OutlinePiece(Record):
     """The leg's surface on one body: what obstacles meet.
 
@@ -68,7 +63,6 @@ class OutlinePiece(Record):
     width: float
 
 
-@dataclass(eq=False, repr=False)
 class CurvePoint(Record):
     """A point of a piecewise-linear curve: force over shortening, or over time."""
 
@@ -76,7 +70,6 @@ class CurvePoint(Record):
     force: float
 
 
-@dataclass(eq=False, repr=False)
 class Totals(Record):
     """What a law sums up over its rows in a step.
 

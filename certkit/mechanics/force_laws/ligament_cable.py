@@ -13,7 +13,6 @@ taken as linear.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -23,8 +22,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class LigamentCable(ForceLaw):
+class LigamentCable(ForceLaw, kw_only=True):
     """One cable.
 
     Parameters

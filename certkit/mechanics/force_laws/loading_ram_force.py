@@ -9,7 +9,6 @@ Source: load levels of the static certification tests, each held until the speci
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -24,8 +23,7 @@ JOINT = 1e-9
 """m: how near a joint the station counts as on it."""
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class LoadingRamForce(ForceLaw):
+class LoadingRamForce(ForceLaw, kw_only=True):
     """One ram.
 
     Parameters

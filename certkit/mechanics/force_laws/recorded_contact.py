@@ -6,7 +6,6 @@ F(t) acts at the height z(t) normal to its surface, as a contact does. Outside t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -19,8 +18,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class RecordedContact(ForceLaw):
+class RecordedContact(ForceLaw, kw_only=True):
     """One recorded contact.
 
     Parameters

@@ -11,7 +11,6 @@ with the velocity v and the length Δt' of the step that led there; the same alo
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -22,8 +21,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class RecordedMotion(ForceLaw):
+class RecordedMotion(ForceLaw, kw_only=True, eq=False):
     """A body that is led.
 
     Parameters

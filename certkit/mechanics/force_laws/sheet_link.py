@@ -21,7 +21,6 @@ off the path are those of the vehicle document.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -32,8 +31,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class SheetLink(ForceLaw):
+class SheetLink(ForceLaw, kw_only=True):
     """One link of a sheet.
 
     Parameters

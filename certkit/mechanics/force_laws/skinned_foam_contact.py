@@ -16,7 +16,6 @@ What the foam does not give back, and what the outline's own change takes up, co
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -129,8 +128,7 @@ def _load_leg(
     return by_height
 
 
-@dataclass(kw_only=True)
-class SkinnedFoamContact(ForceLaw):
+class SkinnedFoamContact(ForceLaw, kw_only=True):
     """One strip of a face.
 
     Parameters

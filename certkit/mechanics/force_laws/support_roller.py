@@ -14,7 +14,6 @@ times half the span as the bone bends.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -25,8 +24,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.records import Rows, State
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class SupportRoller(ForceLaw):
+class SupportRoller(ForceLaw, kw_only=True):
     """One roller.
 
     Parameters

@@ -8,7 +8,6 @@ lost.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -19,8 +18,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.records import Body, Rows, State
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class VehicleFrontContact(ForceLaw):
+class VehicleFrontContact(ForceLaw, kw_only=True):
     """One strip of the front; all strips follow each other from top to bottom.
 
     Parameters

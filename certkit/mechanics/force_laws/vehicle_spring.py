@@ -12,7 +12,6 @@ test holds the two together.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -75,8 +74,7 @@ def _side(
     return force, stored
 
 
-@dataclass(kw_only=True, eq=False, repr=False)
-class VehicleSpring(ForceLaw):
+class VehicleSpring(ForceLaw, kw_only=True):
     """One connection of the vehicle.
 
     Parameters

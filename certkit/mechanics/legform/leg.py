@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.definitions.legform import KNEE
 from certkit.mechanics.force_laws.flesh_suspension import FleshSuspension
@@ -23,8 +24,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.solver.world import Assembly
 
 
-@dataclass(frozen=True)
-class Joint:
+class Joint(Struct, frozen=True):
     """A rotational spring of the leg: the law's row and its height above the knee centre."""
 
     row: int
@@ -32,8 +32,7 @@ class Joint:
     part: str
 
 
-@dataclass(frozen=True)
-class Leg:
+class Leg(Struct, frozen=True):
     """What was built, so that fixtures and channels can find it.
 
     Parameters

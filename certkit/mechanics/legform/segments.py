@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.definitions.legform import KNEE, WHOLE
 from certkit.errors import RunError
@@ -17,8 +18,7 @@ if TYPE_CHECKING:
     from certkit.definitions.legform_parts import Bone, Knee
 
 
-@dataclass(frozen=True)
-class Segment:
+class Segment(Struct, frozen=True):
     """A rigid piece of the leg; heights in m above the knee centre.
 
     Parameters

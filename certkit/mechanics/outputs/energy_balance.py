@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.documents.result import Histories, Series
 from certkit.documents.rounding import rounded_series
@@ -22,8 +22,7 @@ MOST_POINTS_OF_ENERGY = 300
 """Points that a drawing of energies needs."""
 
 
-@dataclass(frozen=True)
-class RunQuality:
+class RunQuality(Struct, frozen=True):
     """Quality figures of one run.
 
     Parameters

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeVar
 
 from certkit.definitions.fixtures.rig_builder import GRAVITY, GROUND, LawRow, RigBuilder
@@ -212,7 +212,7 @@ class RigAssembly(RigBuilder):
 
 
 _LAWS = {law.words(): law for law in LAWS}
-_PARAMETERS = {law: [each.name for each in fields(law) if each.init] for law in LAWS}  # type: ignore[arg-type]
+_PARAMETERS = {law: law.__struct_fields__ for law in LAWS}
 
 
 def _law(name: str) -> type[ForceLaw]:

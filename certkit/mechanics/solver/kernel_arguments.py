@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Annotated, NamedTuple, get_type_hints
 
 import numpy as np
@@ -19,7 +18,6 @@ WORDS = 4
 """Of the block, for each array: its address, then its extent in up to three directions."""
 
 
-@dataclass(eq=False, repr=False)
 class BodyMotion(Record):
     """A body as pymunk's batched reading writes it."""
 
@@ -31,7 +29,6 @@ class BodyMotion(Record):
     angular_velocity: float
 
 
-@dataclass(eq=False, repr=False)
 class PymunkAddresses(Record):
     """Addresses of pymunk's C functions and of what they take; `hinge` is 0 where none is recorded."""
 
@@ -46,7 +43,6 @@ class PymunkAddresses(Record):
     hinge: int
 
 
-@dataclass(eq=False, repr=False)
 class StepPlan(Record):
     """The plan of a run, in steps.
 
@@ -72,7 +68,6 @@ class StepPlan(Record):
     length: float
 
 
-@dataclass(eq=False, repr=False)
 class RunState(Record):
     """What a run has come to.
 
@@ -97,7 +92,6 @@ class RunState(Record):
     flesh_depth: float
 
 
-@dataclass(eq=False, repr=False)
 class SampleFigures(Record):
     """Of one sample: kinetic energy (J), force at the hinge (N), contact force (N)."""
 
@@ -106,7 +100,6 @@ class SampleFigures(Record):
     contact_force: float
 
 
-@dataclass(eq=False, repr=False)
 class AccountFigures(Record):
     """Of one sample and one energy account: energy stored, and dissipated so far, J."""
 

@@ -5,11 +5,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pymunk
+from msgspec import Struct
 from pymunk import batch
 from pymunk._chipmunk_cffi import ffi, lib
 
@@ -71,8 +71,7 @@ def build_space(world: World, step: float, iterations: int = ITERATIONS) -> pymu
     return space
 
 
-@dataclass(frozen=True)
-class SpaceMemory:
+class SpaceMemory(Struct, frozen=True):
     """Addresses and memory for the compiled loop. Keeps alive what they point into.
 
     Parameters

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.errors import RunError
 from certkit.mechanics.force_laws import ENERGY_ACCOUNTS, LAWS
@@ -32,8 +32,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.solver.world import World
 
 
-@dataclass(frozen=True)
-class Plan:
+class Plan(Struct, frozen=True):
     """How long a run takes, and what is kept of it.
 
     Parameters
@@ -61,8 +60,7 @@ class Plan:
     iterations: int = ITERATIONS
 
 
-@dataclass(frozen=True)
-class Trajectory:
+class Trajectory(Struct, frozen=True):
     """What a run yields, one row a sample.
 
     Parameters

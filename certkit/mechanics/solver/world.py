@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct, field
 
 from certkit.errors import RunError
 from certkit.mechanics.force_laws import LAWS
@@ -24,7 +24,6 @@ GROUND = -1
 """Stands for the ground wherever a body is named."""
 
 
-@dataclass(eq=False, repr=False)
 class Pivot(Record):
     """A point that two bodies share, in each body's frame from its centre of gravity, m."""
 
@@ -36,7 +35,6 @@ class Pivot(Record):
     second_z: float
 
 
-@dataclass(eq=False, repr=False)
 class LawTable(Record):
     """Where a law's table stands in a world's `tables`: number of rows, and place of the first."""
 
@@ -44,8 +42,7 @@ class LawTable(Record):
     start: int
 
 
-@dataclass(frozen=True)
-class World:
+class World(Struct, frozen=True):
     """Bodies, pivots and force-law tables, ready for the time loop. Lengths in m, everything SI.
 
     Parameters
@@ -102,8 +99,7 @@ class World:
         return int(self.layout[LAWS.index(law)]["start"]) + row * len(names) + names.index(state)
 
 
-@dataclass
-class Assembly:
+class Assembly(Struct):
     """Collects bodies, pivots and law rows, then turns them into a `World`."""
 
     gravity: tuple[float, float] = (0.0, 0.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from certkit.reporting import palette
 from certkit.reporting.number_format import plain
@@ -10,8 +10,7 @@ from certkit.reporting.scales import Scale, ticks
 from certkit.reporting.svg import label, number, tag
 
 
-@dataclass(frozen=True)
-class Frame:
+class Frame(Struct, frozen=True):
     """The drawing area of a plot and its two scales."""
 
     width: float

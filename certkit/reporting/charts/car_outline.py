@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from certkit.reporting.svg import number, tag
 
@@ -18,8 +19,7 @@ Place = tuple[float, float]
 BODY, GLASS, DARK, LAMP, EDGE, WHEEL = "#dfe4ea", "#c3ccd6", "#aab4bf", "#f7f9fb", "#8793a0", "#5b6672"
 
 
-@dataclass(frozen=True)
-class CarPart:
+class CarPart(Struct, frozen=True):
     """A form of the picture.
 
     Parameters

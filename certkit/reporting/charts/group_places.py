@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 if TYPE_CHECKING:
     from certkit.documents.extraction import ExtractionResult
@@ -17,8 +18,7 @@ LETTERS = 13
 """Of a name that are shown."""
 
 
-@dataclass(frozen=True)
-class GroupPlace:
+class GroupPlace(Struct, frozen=True):
     """Middle of a group, and its left and right edge, px."""
 
     x: float

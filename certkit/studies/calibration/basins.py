@@ -6,10 +6,10 @@ of some places spread over the whole space and goes downhill from there.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.studies.calibration.search import downhill
 
@@ -20,8 +20,7 @@ if TYPE_CHECKING:
     from certkit.studies.calibration.search import Misfit, Tell
 
 
-@dataclass(frozen=True)
-class Basin:
+class Basin(Struct, frozen=True):
     """One place that a search came to.
 
     Parameters

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.definitions.calibration import CalibrationTask
 from certkit.definitions.loading.library import load
@@ -32,8 +33,7 @@ if TYPE_CHECKING:
     from certkit.studies.points import Outcome
 
 
-@dataclass(frozen=True)
-class Task:
+class Task(Struct, frozen=True):
     """A fit made ready: what is run, what is free, what is aimed at."""
 
     sheet: CalibrationTask
@@ -42,8 +42,7 @@ class Task:
     goals: tuple[Goal, ...]
 
 
-@dataclass(frozen=True)
-class Calibration:
+class Calibration(Struct, frozen=True):
     """What a fit came to.
 
     Parameters

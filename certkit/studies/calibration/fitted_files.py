@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import yaml
+from msgspec.structs import asdict
 
 from certkit._version import __version__
 from certkit.definitions.loading.kinds import kind_of

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.documents.calibration_report import OpenDirection
 from certkit.studies.calibration.targets import FLAT, WITHIN
@@ -22,8 +22,7 @@ STRONG = 0.6
 """Correlations from here on are told."""
 
 
-@dataclass(frozen=True)
-class Knowledge:
+class Knowledge(Struct, frozen=True):
     """What is known of the parameters after a fit.
 
     Parameters

@@ -8,10 +8,10 @@ spread is that of legs which pass, as far as the bounds reach.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.definitions.loading.library import load
 from certkit.errors import RunError
@@ -156,8 +156,7 @@ def _drawn(
     return shares
 
 
-@dataclass(frozen=True)
-class FamilyExtent:
+class FamilyExtent(Struct, frozen=True):
     """How much of what the bounds allow a family covers.
 
     Parameters

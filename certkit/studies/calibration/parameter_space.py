@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.errors import UsageError
 from certkit.studies.quantity import in_unit, split_quantity
@@ -22,8 +22,7 @@ DIGITS = 6
 """Significant digits of a tried value: what is tried can be written into a file and read back unchanged."""
 
 
-@dataclass(frozen=True)
-class Axis:
+class Axis(Struct, frozen=True):
     """One free number.
 
     Parameters
@@ -67,8 +66,7 @@ class Axis:
         return self.high - self.low
 
 
-@dataclass(frozen=True)
-class Space:
+class Space(Struct, frozen=True):
     """All free numbers of a fit, in the order of its document."""
 
     axes: tuple[Axis, ...]

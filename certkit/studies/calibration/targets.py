@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
 
 from certkit.definitions.corridor_set import ValueWindow
 from certkit.errors import UsageError
@@ -33,8 +33,7 @@ FLAT = 12**-0.5
 """Standard deviation of a share of which only the bounds are known."""
 
 
-@dataclass(frozen=True)
-class Goal:
+class Goal(Struct, frozen=True):
     """One value and where it should be.
 
     Parameters

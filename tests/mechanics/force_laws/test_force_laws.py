@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import pytest
 
@@ -269,7 +267,6 @@ def test_every_law_is_a_record_with_bodies_that_exist_and_a_name_of_its_own():
 
 
 def test_a_record_field_of_another_type_is_refused():
-    @dataclass
     class Named(Record):
         name: str
 

@@ -6,11 +6,11 @@ displacement is the integral of its velocity.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec.structs import replace
 
 from certkit.errors import DataError
 from certkit.exchange.fe.binout_files import BinoutFiles, is_lsda
