@@ -7,7 +7,7 @@ from typing import Any
 
 import typer
 
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from docs.make.markdown import anchor, page, table
 
 HEAD = """\
@@ -18,7 +18,7 @@ Made from the command line itself; `certkit COMMAND --help` says the same."""
 
 def commands() -> str:
     """Return the page: every command with its arguments and options."""
-    group = typer.main.get_command(app)
+    group = typer.main.get_command(whole_app())
     parts = [HEAD, _exit_codes(group)]
     for words, command in _walk(group, ()):
         name = " ".join(words)

@@ -10,7 +10,7 @@ from support import synthetic_result
 from typer.testing import CliRunner
 
 import certkit
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from certkit.documents.campaign_report import CampaignReport
 from certkit.errors import CertkitError, DataError, DefinitionError, UsageError
 
@@ -42,7 +42,7 @@ def written(folder: Path, text: str) -> Path:
 
 
 def command(*words: object) -> tuple[int, str]:
-    done = CliRunner().invoke(app, [str(word) for word in words])
+    done = CliRunner().invoke(whole_app(), [str(word) for word in words])
     return done.exit_code, done.output
 
 

@@ -10,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 import certkit
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from certkit.definitions.agreement_rule import AgreementRule
 from certkit.definitions.loading.validation import read_document
 from certkit.errors import DefinitionError
@@ -118,7 +118,7 @@ def test_many_against_one_end_with_the_worst_exit_code(measured: Path, tmp_path:
 
     def ends(*words: object) -> tuple[int, str]:
         out = ["--out", str(tmp_path / "out"), "--force", "--format", "none"]
-        done = CliRunner().invoke(app, ["compare", *map(str, words), *out])
+        done = CliRunner().invoke(whole_app(), ["compare", *map(str, words), *out])
         return done.exit_code, done.stdout
 
     code, said = ends(measured, good, poor, "--rule", "fair-agreement")

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 import certkit
 from certkit.bench.verification import Verification
 from certkit.bench.verify import verify
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from certkit.documents.result import Result
 from certkit.errors import CertkitError
 from certkit.reporting.language import languages
@@ -142,7 +142,7 @@ def test_pages_of_another_version_are_not_called_checked(measured: Result, tmp_p
     found = verify(path)
     assert found.outcome == "not checked"
     assert "pages: pages-of-another-version" in told(found)
-    done = CliRunner().invoke(app, ["verify", str(path)])
+    done = CliRunner().invoke(whole_app(), ["verify", str(path)])
     assert done.exit_code == 4
     assert "stays invented" in done.stdout.splitlines()[-1]
 
@@ -150,7 +150,7 @@ def test_pages_of_another_version_are_not_called_checked(measured: Result, tmp_p
 def test_quick_leaves_the_simulation_out_and_says_so(bending: Result, tmp_path: Path):
     path = tmp_path / "result.json"
     bending.write(path)
-    done = CliRunner().invoke(app, ["verify", "--quick", str(path)])
+    done = CliRunner().invoke(whole_app(), ["verify", "--quick", str(path)])
     assert done.exit_code == 0
     assert "– reproduction: left out by --quick" in done.stdout
     assert "verdict not evaluated" in done.stdout or f"verdict {bending.verdict}" in done.stdout

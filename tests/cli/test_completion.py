@@ -8,7 +8,8 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from certkit.cli import app, completion
+from certkit.cli import completion
+from certkit.cli.commands import whole_app
 
 
 class Line:
@@ -67,7 +68,7 @@ def test_no_offer_needs_quotes():
 )
 def test_each_shell_is_offered_what_can_be_set(shell: str, asked: dict[str, str]):
     env = asked | {"_CERTKIT_COMPLETE": f"complete_{shell}"}
-    said = CliRunner().invoke(app, [], prog_name="certkit", env=env).output
+    said = CliRunner().invoke(whole_app(), [], prog_name="certkit", env=env).output
     assert "rig.added_mass.mass=" in said
     assert "rig.release" not in said
 
@@ -92,9 +93,9 @@ def test_bash_takes_a_word_apart_at_its_equals_sign(
 
 
 def test_help_says_words_and_not_pythons_types():
-    group = typer.main.get_command(app)
+    group = typer.main.get_command(whole_app())
     for name in group.commands:
-        said = CliRunner().invoke(app, [name, "--help"], env={"COLUMNS": "200"}).output
+        said = CliRunner().invoke(whole_app(), [name, "--help"], env={"COLUMNS": "200"}).output
         for word in ("<bool>", "<str>", "<path>", "list[", " BOOLEAN", "<int"):
             assert word not in said, (name, word)
-    assert "FOLDER" in CliRunner().invoke(app, ["run", "--help"]).output
+    assert "FOLDER" in CliRunner().invoke(whole_app(), ["run", "--help"]).output

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 
 import certkit
 from certkit.bench.confirm import answered, open_confirmation
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from certkit.definitions.loading.library import load
 from certkit.definitions.loading.search_path import shipped_root
 from certkit.definitions.provenance import Number
@@ -34,7 +34,7 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def told(*words: str, keys: str = "") -> Result:
-    return CliRunner().invoke(app, [str(word) for word in words], input=keys, catch_exceptions=False)
+    return CliRunner().invoke(whole_app(), [str(word) for word in words], input=keys, catch_exceptions=False)
 
 
 def everything_confirmed() -> None:

@@ -10,9 +10,9 @@ import pytest
 HEAVY = {"numpy", "pymunk", "matplotlib", "scipy", "weasyprint", "pandas", "numba", "jinja2"}
 PROBE = """
 import sys
-from certkit.cli import app
+from certkit.cli.commands import app_for
 try:
-    app(sys.argv[1:])
+    app_for(sys.argv[1:])()
 except SystemExit:
     pass
 print("LOADED", *sorted({name.partition(".")[0] for name in sys.modules}), file=sys.stderr)

@@ -16,7 +16,7 @@ import pytest
 import typer
 import yaml
 
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from certkit.reporting.report_format import FORMATS
 
 FOLDER = Path(__file__).parents[2] / "docs" / "how-to" / "pipelines"
@@ -71,7 +71,7 @@ def test_each_pipeline_calls_certkit() -> None:
 
 @pytest.mark.parametrize(("name", "words"), CALLS, ids=lambda v: v if isinstance(v, str) else " ".join(v))
 def test_a_pipeline_calls_what_there_is(name: str, words: list[str]) -> None:
-    group: Any = typer.main.get_command(app)
+    group: Any = typer.main.get_command(whole_app())
     command = group.commands[words[0]]
     known = {option for parameter in command.params for option in parameter.opts}
     used = [word.partition("=")[0] for word in words if word.startswith("-")]

@@ -11,7 +11,7 @@ import pytest
 from support import small_documents, synthetic_campaign, synthetic_result
 from typer.testing import CliRunner
 
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from certkit.documents.calibration_report import (
     CalibrationReport,
     FittedParameter,
@@ -175,7 +175,7 @@ DOCUMENTED: dict[str, OutputDocument] = {
 
 
 def command(*words: object) -> str:
-    done = CliRunner().invoke(app, [str(word) for word in words], catch_exceptions=False)
+    done = CliRunner().invoke(whole_app(), [str(word) for word in words], catch_exceptions=False)
     assert done.exit_code == 0, done.output
     return done.stdout
 
@@ -219,7 +219,7 @@ def test_one_changed_letter_makes_a_document_that_does_not_hold(word: str, tmp_p
     changed = text.replace(f'"{title}":"', f'"{title}":"X', 1)
     assert changed != text
     path.write_text(changed, encoding="utf-8")
-    done = CliRunner().invoke(app, ["verify", str(path)])
+    done = CliRunner().invoke(whole_app(), ["verify", str(path)])
     assert done.exit_code == 1
     assert "its content was changed" in done.stdout
 

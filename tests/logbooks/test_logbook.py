@@ -12,7 +12,7 @@ from support.forty_tests import BEGIN, CERTIFICATIONS, document, forty
 from support.writers import booked_by
 from typer.testing import CliRunner
 
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.output_document import listed_json
 from certkit.documents.result import InputFile, Kind, Provenance
@@ -196,10 +196,10 @@ def test_the_page_replaces_no_other_file_unless_it_is_told_to(logbook: Logbook, 
     page = tmp_path / "page.html"
     page.write_text("mine", "utf-8")
     words = ["history", "show", "A-1", "--logbook", str(logbook.folder), "--html", str(page)]
-    refused = CliRunner().invoke(app, words)
+    refused = CliRunner().invoke(whole_app(), words)
     assert isinstance(refused.exception, UsageError) or refused.exit_code == 2
     assert page.read_text("utf-8") == "mine"
-    assert CliRunner().invoke(app, [*words, "--force"]).exit_code in {0, 1}
+    assert CliRunner().invoke(whole_app(), [*words, "--force"]).exit_code in {0, 1}
     assert "A-1" in page.read_text("utf-8")
 
 

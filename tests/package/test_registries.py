@@ -19,6 +19,7 @@ import certkit.exchange.fe.readers as reader_files
 import certkit.grading.measures as measure_files
 import certkit.reporting
 import certkit.studies.designs as design_files
+from certkit.cli.commands import PANELS
 from certkit.definitions.base import Section
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.extraction_case import Format, HistoryFiles
@@ -143,6 +144,10 @@ def test_the_commands_help_asks_which_formats_and_languages_a_result_has():
     for name in ("options.py", "report_command.py"):
         text = (PACKAGE / "cli" / name).read_text("utf-8")
         assert [pair for pair in pairs if pair in text] == []
+
+
+def test_each_commands_file_is_named_once():
+    assert {f"{name}_command" for name in PANELS} == {file for file in files("cli") if "_command" in file}
 
 
 def test_designs_are_named_in_one_place():

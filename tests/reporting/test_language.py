@@ -17,7 +17,7 @@ from certkit._version import __version__
 from certkit.bench.pdf_attachments import attachments_of
 from certkit.bench.render_documents import render
 from certkit.bench.verify import verify
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.wording import without_words
 from certkit.errors import MissingPartError, UsageError
@@ -274,7 +274,7 @@ def test_a_report_in_any_language_is_verified(code: str, tmp_path: Path):
 @pytest.mark.parametrize(("code", "said"), [("de", "gilt nicht"), ("ja", "無効")])
 def test_verify_tells_what_it_found_in_the_language(code: str, said: str, tmp_path: Path):
     render(made_here(), tmp_path, "html", language=code)
-    done = CliRunner().invoke(app, ["verify", str(tmp_path), "--quick", "--language", code])
+    done = CliRunner().invoke(whole_app(), ["verify", str(tmp_path), "--quick", "--language", code])
     assert said in done.stdout
     assert language(code).verdict("fail") in done.stdout
     assert done.stdout.splitlines()[-1] == language(code).verification["limits"]

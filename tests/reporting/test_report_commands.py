@@ -6,7 +6,7 @@ import pytest
 from support import synthetic_result
 from typer.testing import CliRunner
 
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from certkit.errors import DataError
 from certkit.reporting.writing import render
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def command(*words: object) -> None:
-    CliRunner().invoke(app, [str(word) for word in words], catch_exceptions=False)
+    CliRunner().invoke(whole_app(), [str(word) for word in words], catch_exceptions=False)
 
 
 @pytest.fixture

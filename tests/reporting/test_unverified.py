@@ -12,7 +12,7 @@ from support import synthetic_result
 from typer.testing import CliRunner
 
 from certkit import grade
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from certkit.documents.unverified import MARK
 from certkit.errors import DataError
 
@@ -28,7 +28,7 @@ def changed(tmp_path: Path) -> Path:
 
 
 def command(*words: object) -> None:
-    done = CliRunner().invoke(app, [str(word) for word in words], catch_exceptions=False)
+    done = CliRunner().invoke(whole_app(), [str(word) for word in words], catch_exceptions=False)
     assert done.exit_code == 0, done.output
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 from typer.testing import CliRunner
 
-from certkit.cli import app
+from certkit.cli.commands import whole_app
 from certkit.errors import DefinitionError, UsageError
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ design: {kind: latin hypercube, runs: 4, seed: 1}
 
 
 def called(*words: object) -> str:
-    result = CliRunner().invoke(app, [str(word) for word in words], catch_exceptions=False)
+    result = CliRunner().invoke(whole_app(), [str(word) for word in words], catch_exceptions=False)
     assert result.exit_code == 0, result.output
     return result.stdout
 
@@ -120,7 +120,7 @@ def test_ctrl_c_says_that_the_same_command_goes_on(
         raise KeyboardInterrupt
 
     monkeypatch.setattr("certkit.studies.run_study.study", interrupted)
-    result = CliRunner().invoke(app, ["study", str(sheet), "--out", str(tmp_path / "out")])
+    result = CliRunner().invoke(whole_app(), ["study", str(sheet), "--out", str(tmp_path / "out")])
     assert result.exit_code == 130
     assert "the same command goes on" in result.stderr
 
