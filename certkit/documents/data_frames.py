@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from html import escape
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
@@ -78,6 +77,8 @@ class CriteriaFrame:
 
     def _repr_html_(self: Graded) -> str:
         """Show verdict and criteria in a notebook."""
+        from html import escape  # noqa: PLC0415  # brings a table of two thousand names
+
         table = CriteriaFrame.to_pandas(self)[list(SHOWN)].to_html(na_rep="", float_format="{:.4g}".format)
         return f"<p>{escape(self.title)}: <strong>{escape(self.verdict)}</strong></p>\n{table}"
 

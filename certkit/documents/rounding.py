@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from itertools import islice
 from typing import TYPE_CHECKING, Annotated
 
@@ -40,15 +41,21 @@ def rounded_all(values: Sequence[float] | NDArray[np.float64]) -> list[float]:
     plain = (size < 1e-15) | (size > 1e15) | ~np.isfinite(size)
     size[plain] = 1.0
     exponent = SIGNIFICANT_DIGITS - 1 - np.floor(np.log10(size))
-    # Powers from a table: a vectorised `**` may be an ulp off, and then the quotient prints long.
-    powers = np.array([float(f"1e{k}") for k in range(23)])
-    up, down = (powers[np.maximum(e, 0).astype(np.intp)] for e in (exponent, -exponent))
+    up, down = (_powers_of_ten()[np.maximum(e, 0).astype(np.intp)] for e in (exponent, -exponent))
     listed: list[float] = np.where(
         plain, given, np.rint(size * up / down) * down / up * np.sign(given)
     ).tolist()
     for index in np.flatnonzero(plain & (given != 0)):
         listed[int(index)] = rounded(listed[int(index)])
     return listed
+
+
+@cache
+def _powers_of_ten() -> NDArray[np.float64]:
+    """Return 1, 10 … 1e22 as words give them: a vectorised `**` may be an ulp off, and then prints long."""
+    import numpy as np  # noqa: PLC0415  # as above
+
+    return np.array([float(f"1e{k}") for k in range(23)])
 
 
 SMALLEST_PEAK = 1e-290

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 from scipy.linalg import eigh
 from support.chain_oracle import Chain, bone_chain
 
@@ -129,7 +130,7 @@ def measured_frequency(chain: Chain, shape: np.ndarray, guess: float, *, clamped
     if clamped:
         heavy = world.mass.copy(), world.inertia.copy()
         heavy[0][0], heavy[1][0] = 1e9, 1e9
-        world = type(world)(**{**vars(world), "mass": heavy[0], "inertia": heavy[1]})
+        world = replace(world, mass=heavy[0], inertia=heavy[1])
     joint = n // 2 - 1
     run = run_world(world, Plan(2e-5, 6 / guess, 1), [world.place(JointSpring, joint, "angle")])
     angle = run.readings[:, 0]

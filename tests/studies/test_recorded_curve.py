@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from certkit.definitions.calibration import CalibrationTask
 from certkit.definitions.loading.channel_tables import default_channels
@@ -41,7 +42,7 @@ def half_sine(scale: float = 1.0, delay: float = 0.0, **changes: Any) -> tuple[R
     recorded = 100 * np.sin(np.pi * np.clip(time, 0, 0.04) / 0.04)
     simulated = scale * 100 * np.sin(np.pi * np.clip(time - delay, 0, 0.04) / 0.04)
     curve = RecordedCurve("p", "", "T1", "none", tuple(time), tuple(recorded), 0.0, 0.05)
-    return RecordedCurve(**{**vars(curve), **changes}), filtered_channels(time, T1=simulated)
+    return replace(curve, **changes), filtered_channels(time, T1=simulated)
 
 
 def test_a_curve_that_follows_the_recorded_one_exactly_deviates_by_nothing() -> None:
