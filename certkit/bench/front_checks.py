@@ -8,12 +8,12 @@ no compensation.
 
 from __future__ import annotations
 
-from msgspec.structs import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from msgspec.structs import replace
 
 from certkit.bench.channel_checks import channel_checks, error_percent
 from certkit.bench.checked_run import CheckedRun

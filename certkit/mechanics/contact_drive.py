@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from msgspec import Struct
-from msgspec.structs import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit.mechanics.force_laws.recorded_motion import RecordedMotion
 from certkit.mechanics.outputs.front_response import contact_by_group
