@@ -2,8 +2,8 @@
 
 The mean front of a group (the paper's displacement) says how far it is pushed in, not where on it the leg
 presses: a fascia folds, sinks, and rolls under the leg. So the outline is written down at even steps of the
-group's displacement, on the way in at the first instant that reaches the step, on the way back at the first
-instant that falls below it.
+group's displacement, on the way in and on the way back, each in the mean over the time that the group spends
+at the step.
 """
 
 from __future__ import annotations
@@ -96,10 +96,12 @@ def _outlines(chain: Values, time: Values, moved: Values, grid: Grid) -> Folding
     way = _first_beyond(np.maximum(moved[: k + 1], 0.0), FINEST * largest)
     pushed_at = np.maximum(moved[way], 0.0)
     pushed_at[0] = 0.0
-    pushed = np.array([chain[:, 0], *(_at(chain, time, float(at[i])) for i in way[1:])])
+    forms = _forms(chain, time, at, moved)
+    pushed = _mean_forms(forms[:, : k + 1], moved[: k + 1], pushed_at)
+    pushed[0] = chain[:, 0]
     back = k + _first_beyond(np.minimum(largest - moved[k:], largest), FINEST * largest)
     shares = np.maximum(moved[back] / largest, 0.0)
-    returning = np.array([_at(chain, time, float(at[i])) for i in back])
+    returning = _mean_forms(forms[:, k:], moved[k:], shares * largest)
     keep = _telling(pushed_at, pushed, along=pushed_at)
     keep_back = _telling(-shares, returning, along=shares * largest)[:0:-1]
     return FoldingOutlines(pushed_at[keep], pushed[keep], shares[keep_back], returning[keep_back])
@@ -149,7 +151,50 @@ def _telling(at: Values, points: Values, along: Values) -> NDArray[np.int64]:
     return np.array(sorted(keep))
 
 
-def _at(chain: Values, time: Values, when: float) -> Values:
-    return np.array(
-        [[np.interp(when, time, node[:, 0]), np.interp(when, time, node[:, 1])] for node in chain]
-    )
+def _forms(chain: Values, time: Values, at: Values, moved: Values) -> Values:
+    """Return the places of a face's points against its group over time, shape (points, n, 2).
+
+    Parameters
+    ----------
+    chain : ndarray, shape (points, instants, 2)
+        Places of its nodes at the instants `time`.
+    time : ndarray, shape (instants,)
+    at, moved : ndarray, shape (n,)
+        Instants that are wanted, s, and the group's displacement at each, m.
+    """
+    places = np.array([[np.interp(at, time, node[:, axis]) for axis in (0, 1)] for node in chain])
+    places[:, 0] -= moved
+    return np.moveaxis(places, 1, 2)
+
+
+def _mean_forms(forms: Values, moved: Values, levels: Values) -> Values:
+    """Return where a face's points stand in the mean over the time that its group spends at each level.
+
+    A group may stand still while its face goes on to fold, so that no single instant tells its form there. It
+    is at a level from when it has first come half the way from the one before to when it has come half the
+    way to the next, and at the last until it first reaches it.
+
+    Parameters
+    ----------
+    forms : ndarray, shape (points, n, 2)
+        See `_forms`.
+    moved : ndarray, shape (n,)
+        Displacement of the group, m.
+    levels : ndarray, shape (levels,)
+        Of the displacement, rising or falling, m.
+
+    Returns
+    -------
+    ndarray, shape (levels, points, 2)
+    """
+    turned = -1.0 if levels[-1] < levels[0] else 1.0
+    edges = turned * np.append(0.5 * (levels[1:] + levels[:-1]), levels[-1])
+    left = np.maximum.accumulate(turned * moved)
+    until = np.maximum(np.searchsorted(left, edges), 1)
+    until[-1] += 1
+    begun = np.append(0, until[:-1])
+    means = [
+        forms[:, min(first, last - 1) : last].mean(axis=1) + np.array([level, 0.0])
+        for first, last, level in zip(begun, until, levels, strict=True)
+    ]
+    return np.array(means)

@@ -37,6 +37,26 @@ def test_a_fold_that_opens_at_once_is_kept_where_a_stiff_face_needs_two_outlines
     assert len(outlines_of(0.0 * TIME).at) == 2
 
 
+def test_a_face_that_goes_on_to_fold_while_its_group_stands_still_has_the_mean_of_its_forms_there() -> None:
+    moved = 0.08 * np.interp(TIME, [0.0, 0.010, 0.022, 0.030, 0.040], [0.0, 0.6, 0.6, 1.0, 0.0])
+    there = (TIME >= 0.010) & (TIME <= 0.022)
+    fold = np.where(there, 0.01 * np.sin(np.pi * (TIME - 0.010) / 0.012), 0.0)
+    found = outlines_of(fold, moved)
+    bulge = np.interp(moved[there], found.at, found.at - found.pushed[:, 1, 0])
+    assert bulge.mean() == pytest.approx(fold[there].mean(), rel=0.1)
+    assert np.interp(0.3 * 0.08, found.at, found.at - found.pushed[:, 1, 0]) == pytest.approx(
+        0, abs=TOLERANCE
+    )
+
+
+def test_what_a_face_does_after_it_has_come_back_is_no_part_of_its_way_back() -> None:
+    moved = 0.08 * np.interp(TIME, [0.0, 0.010, 0.020, 0.030, 0.040], [0.0, 1.0, 0.0, 0.6, 0.0])
+    later = outlines_of(np.where(TIME > 0.020, 0.02, 0.0), moved)
+    still = outlines_of(np.zeros_like(TIME), moved)
+    assert later.shares == pytest.approx(still.shares)
+    assert later.returning == pytest.approx(still.returning)
+
+
 def test_outlines_stand_in_rising_order_though_the_group_comes_back_beyond_its_place_at_rest() -> None:
     moved = np.where(TIME < 0.03, MOVED, -0.5 * np.abs(MOVED))
     found = outlines_of(0.01 * np.sin(2e3 * TIME), moved)
