@@ -234,9 +234,11 @@ def _copied(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 
 
 def _units(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
-    """Yield channels that are out by a power of ten."""
-    kinds = leg.filtered.recording.table.kinds
-    for dimension in (MOMENT, ELONGATION):
+    """Yield channels that are out by a power of ten beside the others."""
+    recording = leg.filtered.recording
+    kinds = recording.table.kinds
+    # The solver knows one unit only, but a bonnet's edge stretches ligaments in other proportions.
+    for dimension in () if recording.kind == "simulated" else (MOMENT, ELONGATION):
         usual = {
             name: kinds[name].usual or 0.0
             for name, channel in leg.channels.items()
@@ -247,11 +249,8 @@ def _units(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
         for name, power in off_by_powers(leg.peaks, usual).items():
             shown = leg.peaks[name] * leg.channels[name].dimension.scale
             others = [other for other in usual if other != name]
-            unit = leg.channels[name].dimension.unit
-            yield (
-                name,
-                Reason.of("unit-out-by-ten", value=shown, unit=unit, factor=10.0**power, others=others),
-            )
+            unit, factor = leg.channels[name].dimension.unit, 10.0**power
+            yield name, Reason.of("unit-out-by-ten", value=shown, unit=unit, factor=factor, others=others)
 
 
 CHECKS: tuple[Callable[[LegChannels], Iterator[tuple[str, Reason]]], ...] = (
