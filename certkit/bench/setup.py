@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -91,7 +91,17 @@ class Setup(Struct, frozen=True, dict=True):
         )
 
 
-def prepare(procedure: str | Path, *, library: Library = (), overrides: Overrides | None = None) -> Setup:
+Unchanged = dict[tuple[str, str], "Loaded[BaseModel]"]
+"""Definitions of one library as they stand, by kind and name: runs of a study read them once."""
+
+
+def prepare(
+    procedure: str | Path,
+    *,
+    library: Library = (),
+    overrides: Overrides | None = None,
+    unchanged: Unchanged | None = None,
+) -> Setup:
     """Load a procedure and all that it names.
 
     Parameters
@@ -104,6 +114,8 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Override
         Values by their paths: `{"rig.hinge.offset": "30 mm"}` changes the procedure, `{"legform": NAME}` and
         `{"vehicle": NAME}` put another one on the rig, `{"legform.parts.femur.length": "0.34 m"}` changes
         the legform, `vehicle.…` likewise the vehicle.
+    unchanged : Unchanged, optional
+        What was read before of this library; what is read now and nobody changes is added.
 
     Raises
     ------
@@ -113,18 +125,32 @@ def prepare(procedure: str | Path, *, library: Library = (), overrides: Override
         For a name that nobody knows, or an override that fits nowhere.
     """
     changes = _sorted_out(overrides or {})
-    sheet = load("procedure", procedure, library=library, overrides=changes["procedure"])
-    legform = load("legform", sheet.document.specimen.legform, library=library, overrides=changes["legform"])
+    known: Unchanged = {} if unchanged is None else unchanged
+
+    def read(kind: str, name: str | Path) -> Loaded[Any]:
+        changed = changes.get(kind)
+        key = (kind, str(name))
+        if changed or key not in known:
+            found = load(kind, name, library=library, overrides=changed)
+            if changed:
+                return found
+            known[key] = found
+        return known[key]
+
+    sheet: Loaded[Procedure] = read("procedure", procedure)
+    legform: Loaded[Legform] = read("legform", sheet.document.specimen.legform)
     loaded: list[tuple[str, Loaded[BaseModel]]] = [("procedure", sheet), ("legform", legform)]
-    vehicle = None
+    vehicle: Loaded[Vehicle] | None = None
     if sheet.document.vehicle is not None:
-        vehicle = load("vehicle", sheet.document.vehicle, library=library, overrides=changes["vehicle"])
+        vehicle = read("vehicle", sheet.document.vehicle)
         loaded.append(("vehicle", vehicle))
-    sets = {name: load("corridors", name, library=library) for name in _named_sets(sheet.document, library)}
+    sets: dict[str, Loaded[CorridorSet]] = {
+        name: read("corridors", name) for name in _named_sets(sheet.document, library)
+    }
     loaded += [("corridors", corridors) for corridors in sets.values()]
-    reference = None
+    reference: Loaded[Reference] | None = None
     if sheet.document.reference is not None:
-        reference = load("reference", sheet.document.reference, library=library)
+        reference = read("reference", sheet.document.reference)
         loaded.append(("reference", reference))
     return Setup(
         procedure=sheet.document,

@@ -6,6 +6,7 @@ are declared by its fixtures (`certkit.definitions.fixtures`).
 
 from __future__ import annotations
 
+from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -89,7 +90,7 @@ class ChannelKind(Struct, frozen=True):
     usual: float | None = None
 
 
-class ChannelTable(Struct, frozen=True):
+class ChannelTable(Struct, frozen=True, dict=True):
     """The channels that a test of one legform can have.
 
     Parameters
@@ -120,7 +121,15 @@ class ChannelTable(Struct, frozen=True):
         """Return the channel of that short name or of these words of the field, or None."""
         if words in self.kinds:
             return self.kinds[words]
-        return next((kind for kind in self.kinds.values() if kind.title == words), None)
+        return self._titled.get(words)
+
+    @cached_property
+    def _titled(self) -> dict[str, ChannelKind]:
+        """Return the channels by their words of the field; the first of those that share theirs."""
+        found: dict[str, ChannelKind] = {}
+        for kind in self.kinds.values():
+            found.setdefault(kind.title, kind)
+        return found
 
     def name(self, words: str) -> str:
         """Return a channel's short name; what is no channel comes back as it is."""

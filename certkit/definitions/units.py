@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+from functools import lru_cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -110,7 +111,13 @@ def _number_and_unit(text: object) -> tuple[float, str] | None:
     """Cut `25 mm` into 25.0 and `mm`; None when it is neither a number nor a text that begins with one."""
     if isinstance(text, bool) or not isinstance(text, (str, int, float)):
         return None
-    match = _NUMBER.match(str(text))
+    return _cut(str(text))
+
+
+@lru_cache(maxsize=4096)
+def _cut(text: str) -> tuple[float, str] | None:
+    """Cut a text likewise; every run of a study reads the same limits and classes."""
+    match = _NUMBER.match(text)
     return None if match is None else (float(match.group(1)), _canonical(match.group(2)))
 
 

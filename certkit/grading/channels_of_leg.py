@@ -1,4 +1,8 @@
-"""The channels of a leg as the plausibility gate compares them: each beside its neighbours on one leg."""
+"""The channels of a leg as the plausibility gate compares them: each beside its neighbours on one leg.
+
+Every run of a study is looked at, so that what all channels are asked for is asked once, of one table with a
+row for each.
+"""
 
 from __future__ import annotations
 
@@ -44,7 +48,7 @@ class LegChannels(Struct, frozen=True, dict=True):
     @cached_property
     def channels(self) -> dict[str, Channel]:
         """Return channels that have an amplitude class and are finite."""
-        kinds = self.filtered.recording.table.kinds
+        kinds, finite = self.filtered.recording.table.kinds, self.filtered.finite
         return {
             name: channel
             for name, channel in self.filtered.recording.channels.items()
@@ -52,23 +56,37 @@ class LegChannels(Struct, frozen=True, dict=True):
             and kinds[name].amplitude_class is not None
             and channel.dimension in {MOMENT, ELONGATION}
             and channel.values.size > 1
-            and np.isfinite(channel.values).all()
+            and name in finite
         }
+
+    @cached_property
+    def classes(self) -> dict[str, float]:
+        """Return the amplitude classes, SI."""
+        kinds = self.filtered.recording.table.kinds
+        return {name: kinds[name].amplitude_class or 0.0 for name in self.channels}
 
     @cached_property
     def begin(self) -> int:
         """Return the index of contact."""
-        return int(np.searchsorted(self.filtered.recording.time, 0.0))
+        return self._index(0.0)
 
     @cached_property
     def rest(self) -> int:
         """Return the index behind the last sample at rest."""
-        return int(np.searchsorted(self.filtered.recording.time, -MARGIN))
+        return self._index(-MARGIN)
 
     @cached_property
     def end(self) -> int:
         """Return the index behind the last sample that decides, the filters' reach included."""
-        return int(np.searchsorted(self.filtered.recording.time, self.decided + SETTLED, side="right"))
+        return int(self.filtered.recording.time.searchsorted(self.decided + SETTLED, side="right"))
+
+    @cached_property
+    def last(self) -> int:
+        """Return the index behind the last sample within the window."""
+        return int(self.filtered.recording.time.searchsorted(self.window.end, side="right"))
+
+    def _index(self, time: float) -> int:
+        return int(self.filtered.recording.time.searchsorted(time))
 
     @cached_property
     def smooth(self) -> dict[str, NDArray[np.float64]]:
@@ -82,36 +100,57 @@ class LegChannels(Struct, frozen=True, dict=True):
         return found
 
     @cached_property
-    def recorded_rows(self) -> NDArray[np.float64]:
-        """Return the channels as recorded, SI, shape (channels, n)."""
-        return self._rows([channel.values for channel in self.channels.values()])
+    def rows(self) -> NDArray[np.float64]:
+        """Return the channels as recorded, and again through the filter, SI, shape (2·channels, n)."""
+        rows = [*(channel.values for channel in self.channels.values()), *self.smooth.values()]
+        return np.concatenate([np.zeros(0), *rows]).reshape(len(rows), self.filtered.recording.time.size)
 
     @cached_property
-    def smooth_rows(self) -> NDArray[np.float64]:
-        """Return the channels through the filter, SI, shape (channels, n)."""
-        return self._rows(list(self.smooth.values()))
-
-    def _rows(self, channels: list[NDArray[np.float64]]) -> NDArray[np.float64]:
-        return np.array(channels).reshape(len(channels), self.filtered.recording.time.size)
-
-    @cached_property
-    def last(self) -> int:
-        """Return the index behind the last sample within the window."""
-        return int(np.searchsorted(self.filtered.recording.time, self.window.end, side="right"))
+    def after_rows(self) -> NDArray[np.float64]:
+        """Return `rows` within the window, SI, shape (2·channels, samples of the window)."""
+        return self.rows[:, self.begin : self.last]
 
     @cached_property
     def after(self) -> dict[str, NDArray[np.float64]]:
         """Return the filtered channels within the window, SI, shape (samples of the window,) each."""
-        return {name: values[self.begin : self.last] for name, values in self.smooth.items()}
+        return dict(zip(self.channels, self._smooth(self.after_rows), strict=True))
 
-    def amplitude_class(self, name: str) -> float:
-        """Return a channel's amplitude class, SI."""
-        return self.filtered.recording.table.kinds[name].amplitude_class or 0.0
+    @cached_property
+    def lows(self) -> dict[str, float]:
+        """Return the lowest values within the window, SI; 0 where there is none."""
+        after = self._smooth(self.after_rows)
+        return self._by_channel(after.min(axis=1) if after.shape[1] else None)
+
+    @cached_property
+    def highs(self) -> dict[str, float]:
+        """Return the highest values within the window, SI; 0 where there is none."""
+        after = self._smooth(self.after_rows)
+        return self._by_channel(after.max(axis=1) if after.shape[1] else None)
 
     @cached_property
     def peaks(self) -> dict[str, float]:
         """Return the largest sizes within the window, SI."""
-        return {name: float(np.abs(v).max()) if v.size else 0.0 for name, v in self.after.items()}
+        return {name: max(high, -self.lows[name]) for name, high in self.highs.items()}
+
+    @cached_property
+    def swings(self) -> dict[str, float]:
+        """Return how far the channels move within the window, SI."""
+        return {name: high - self.lows[name] for name, high in self.highs.items()}
+
+    @cached_property
+    def largest_steps(self) -> dict[str, float]:
+        """Return the largest step from one recorded sample to the next that decides, SI; 0 without one."""
+        steps = np.diff(self.rows[: len(self.channels), : self.end])
+        return self._by_channel(np.abs(steps, out=steps).max(axis=1) if steps.shape[1] else None)
+
+    def _smooth(self, rows: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the half of `rows` that went through the filter."""
+        return rows[len(self.channels) :]
+
+    def _by_channel(self, values: NDArray[np.float64] | None) -> dict[str, float]:
+        if values is None:
+            return dict.fromkeys(self.channels, 0.0)
+        return dict(zip(self.channels, values.tolist(), strict=True))
 
     @cached_property
     def bones(self) -> dict[str, list[str]]:
@@ -125,13 +164,14 @@ class LegChannels(Struct, frozen=True, dict=True):
     @cached_property
     def _shares(self) -> dict[str, float]:
         """Return the peaks of the bone moments as shares of their classes."""
-        return {n: p / self.amplitude_class(n) for n, p in self.peaks.items() if self.moment(n)}
+        return {n: p / self.classes[n] for n, p in self.peaks.items() if self.moment(n)}
 
     def blow_beside(self, name: str) -> bool:
         """Tell whether the other bone moments show a blow."""
-        if name not in self._blows:
-            self._blows[name] = blow([share for n, share in self._shares.items() if n != name])
-        return self._blows[name]
+        left_out = name if name in self._shares else ""  # beside all others stand the same
+        if left_out not in self._blows:
+            self._blows[left_out] = blow([share for n, share in self._shares.items() if n != left_out])
+        return self._blows[left_out]
 
     @cached_property
     def _blows(self) -> dict[str, bool]:

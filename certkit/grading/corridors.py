@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -65,7 +66,7 @@ def find_corridor(
         When the corridor is of another kind than the measure needs.
     """
     if criterion.corridor is None:
-        return Missing(Reason.of("no-corridor"), required=False)
+        return _no_corridor()
     name, _, entry_name = criterion.corridor.partition("/")
     found = corridors.get(name)
     if found is None:
@@ -76,9 +77,10 @@ def find_corridor(
         )
     if entry_name in found.awaited:
         return Missing(Reason.words(found.awaited[entry_name]), required=False)
-    if entry_name not in found.entries:
+    try:
+        entry = found.entry(entry_name)
+    except KeyError:
         return Missing(Reason.of("corridor-not-in-set", set=name, entry=entry_name), required=True)
-    entry = found.entry(entry_name)
     wanted = MEASURES[criterion.measure].corridor
     if not isinstance(entry, wanted):
         raise UsageError(
@@ -86,6 +88,11 @@ def find_corridor(
             f"but {criterion.corridor} is a {entry.noun if entry else 'missing'}"
         )
     return Corridor(criterion.corridor, entry, entry.source or "", entry.confidence or "estimated")
+
+
+@cache
+def _no_corridor() -> Missing:
+    return Missing(Reason.of("no-corridor"), required=False)
 
 
 def impactor_of(found: CorridorSet) -> str:

@@ -117,10 +117,8 @@ def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Ju
         )
     held = _hold(criterion, measured, dimension, corridor, channels)
     scale = dimension.scale
-    uncertainty = Uncertainty(
-        numerical=judgement.numerical.get(criterion.id),
-        expanded=_scaled(judgement.expanded.get(channel), scale),
-    )
+    numerical = judgement.numerical.get(criterion.id)
+    expanded = judgement.expanded.get(channel)
     shown: dict[str, Any] = {
         "value": _scaled(held.value, scale),
         "unit": dimension.unit,
@@ -130,9 +128,11 @@ def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Ju
     }
     if missing is not None or held.value is None:
         reason = held.reason or (None if missing is None else missing.reason)
-        given = uncertainty if uncertainty != Uncertainty() else None
         return CriterionResult(
-            verdict="not evaluated", coded_reason=measured.doubt or reason, uncertainty=given, **shown
+            verdict="not evaluated",
+            coded_reason=measured.doubt or reason,
+            uncertainty=_uncertainty(numerical=numerical, expanded=_scaled(expanded, scale)),
+            **shown,
         )
     if measured.doubt is not None:
         return CriterionResult(
@@ -147,33 +147,34 @@ def grade_criterion(criterion: Criterion, measured: MeasuredValue, judgement: Ju
         held.value if held.judged is None else held.judged,
         held.lower,
         held.upper,
-        judgement.expanded.get(channel),
+        expanded,
         exclusive=held.exclusive,
     )
     verdict, reason = decision.verdict, decision.reason
     margin = _scaled(decision.margin, scale)
-    if (
-        verdict == "pass"
-        and uncertainty.numerical is not None
-        and margin is not None
-        and margin < uncertainty.numerical
-    ):
+    if verdict == "pass" and numerical is not None and margin is not None and margin < numerical:
         verdict = "conditional"
-        reason = Reason.of(
-            "within-numerical-uncertainty", uncertainty=uncertainty.numerical, unit=dimension.unit
-        )
-    uncertainty = uncertainty.model_copy(
-        update={"guard_band": _scaled(decision.guard_band, scale), "false_accept": decision.false_accept}
-    )
+        reason = Reason.of("within-numerical-uncertainty", uncertainty=numerical, unit=dimension.unit)
     return CriterionResult(
         verdict=verdict,
         coded_reason=reason,
         lower=_scaled(held.lower, scale),
         upper=_scaled(held.upper, scale),
         margin=margin,
-        uncertainty=uncertainty if uncertainty != Uncertainty() else None,
+        uncertainty=_uncertainty(
+            numerical=numerical,
+            expanded=_scaled(expanded, scale),
+            guard_band=_scaled(decision.guard_band, scale),
+            false_accept=decision.false_accept,
+        ),
         **shown,
     )
+
+
+def _uncertainty(**parts: float | None) -> Uncertainty | None:
+    """Return what is known of a value's uncertainty, in its unit; None where nothing is."""
+    known = {name: part for name, part in parts.items() if part is not None}
+    return Uncertainty(**known) if known else None
 
 
 def _scaled(value: float | None, scale: float) -> float | None:

@@ -92,7 +92,7 @@ def plausible(
             continue
         if doubt is None:
             doubt = _Peak(criterion, filtered, window, interval, procedure.run.until).doubt(value)
-        checked[criterion.id] = replace(value, doubt=doubt)
+        checked[criterion.id] = value if doubt is None else replace(value, doubt=doubt)
     return Plausibility(checked, channels.remarks)
 
 

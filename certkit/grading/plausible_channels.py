@@ -9,11 +9,12 @@ from msgspec import Struct
 
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.grading.channels_of_leg import LegChannels
+from certkit.grading.odd_channels import patterns, unsteady
 from certkit.reasons import Reason
 from certkit.signals.clipping import beyond_class, find_clippings
-from certkit.signals.noise import FREE_FLIGHT_NOISE
 from certkit.signals.plausibility_motion import (
     WINDOW,
+    WRONG_WAY,
     activity,
     blow,
     frozen_from,
@@ -21,11 +22,12 @@ from certkit.signals.plausibility_motion import (
     moves_early,
     moves_wrong_way,
     off_by_powers,
-    off_the_line,
+    perhaps_frozen,
     turned_gauges,
 )
-from certkit.signals.plausibility_rest import copies, drift_until_peak, swing_at_rest
+from certkit.signals.plausibility_rest import copies
 from certkit.signals.plausibility_steps import (
+    AWAY,
     LIGAMENT_SPEED,
     drop_out,
     impossible_step,
@@ -81,7 +83,7 @@ def doubtful_channels(filtered: Filtered, window: EvaluationWindow, decided: flo
     for check in CHECKS:
         for name, reason in check(leg):
             doubts.setdefault(name, reason)
-    return ChannelDoubts(doubts, (*_patterns(leg, doubts), *_unsteady(leg, doubts)))
+    return ChannelDoubts(doubts, (*patterns(leg, doubts), *unsteady(leg, doubts)))
 
 
 def _kept(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
@@ -93,7 +95,9 @@ def _kept(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 def _steps(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield drop-outs and overflows."""
     for name, channel in leg.channels.items():
-        rate = steepest(leg.amplitude_class(name)) if leg.moment(name) else LIGAMENT_SPEED
+        rate = steepest(leg.classes[name]) if leg.moment(name) else LIGAMENT_SPEED
+        if leg.largest_steps[name] <= largest_step(leg.filtered.recording.interval, rate):
+            continue  # the quick way out: nearly every channel leaves here
         at = impossible_step(channel.values[: leg.end], leg.filtered.recording.interval, rate)
         if at is not None:
             step = float(channel.values[at] - channel.values[at - 1]) * channel.dimension.scale
@@ -108,8 +112,10 @@ def _steps(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 def _drop_outs(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that jump away and come back at once: lost contacts, lost telegrams, spikes."""
     for name, channel in leg.channels.items():
+        swing = leg.swings[name]
+        if leg.largest_steps[name] <= AWAY * swing:
+            continue  # the quick way out: nearly every channel leaves here
         recorded = channel.values[: leg.end]
-        swing = float(np.ptp(leg.after[name])) if leg.after[name].size else 0.0
         found = drop_out(recorded, leg.filtered.recording.interval, swing)
         if found is not None:
             begin, end = found
@@ -128,12 +134,9 @@ def _drop_outs(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 
 def _clipped(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield flat tops, as recorded and through the filter, which takes noise off a plateau."""
-    limits = [leg.amplitude_class(name) for name in leg.channels]
-    recorded, smooth = (
-        find_clippings(rows[:, : leg.end], limits) for rows in (leg.recorded_rows, leg.smooth_rows)
-    )
-    for (name, channel), *both in zip(leg.channels.items(), recorded, smooth, strict=True):
-        found = both[0] or both[1]
+    clippings = find_clippings(leg.rows[:, : leg.end], [*leg.classes.values()] * 2)
+    for number, (name, channel) in enumerate(leg.channels.items()):
+        found = clippings[number] or clippings[number + len(leg.channels)]
         if found is not None:
             scale, unit = channel.dimension.scale, channel.dimension.unit
             yield (
@@ -147,7 +150,7 @@ def _beyond_class(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     if leg.filtered.recording.kind != "measured":
         return
     for name, channel in leg.channels.items():
-        limit = leg.amplitude_class(name)
+        limit = leg.classes[name]
         found = beyond_class(channel.values[: leg.end], limit)
         if found is not None:
             scale, unit = channel.dimension.scale, channel.dimension.unit
@@ -165,15 +168,17 @@ def _beyond_class(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 
 def _dead(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that do not move though the bones do."""
-    for name, values in leg.after.items():
-        if is_dead(values, leg.smooth[name][: leg.rest], leg.amplitude_class(name)) and leg.blow_beside(name):
-            channel = leg.channels[name]
-            swing = float(np.ptp(values)) * channel.dimension.scale if values.size else 0.0
-            yield name, Reason.of("channel-dead", swing=swing, unit=channel.dimension.unit)
+    for name, channel in leg.channels.items():
+        swing = leg.swings[name]
+        if is_dead(swing, leg.smooth[name][: leg.rest], leg.classes[name]) and leg.blow_beside(name):
+            shown = swing * channel.dimension.scale
+            yield name, Reason.of("channel-dead", swing=shown, unit=channel.dimension.unit)
 
 
 def _early(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that move before contact though the others are at rest: shifted in time, or drifting."""
+    if leg.rest < 2:
+        return
     before = {name: values[: leg.rest] for name, values in leg.smooth.items() if leg.blow_beside(name)}
     for name, share in moves_early(before, leg.peaks).items():
         yield name, Reason.of("moves-before-contact", share=100.0 * share)
@@ -182,10 +187,11 @@ def _early(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 def _frozen(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield channels that stand still for a while in which the others move."""
     interval = leg.filtered.recording.interval
-    smooth, recorded = (
-        dict(zip(leg.channels, activity(rows[:, leg.begin : leg.last], interval), strict=True))
-        for rows in (leg.smooth_rows, leg.recorded_rows)
-    )
+    if not perhaps_frozen(leg.after_rows, interval):
+        return
+    moving = activity(leg.after_rows, interval)
+    recorded = dict(zip(leg.channels, moving[: len(leg.channels)], strict=True))
+    smooth = dict(zip(leg.channels, moving[len(leg.channels) :], strict=True))
     step = max(1, max(2, round(WINDOW / interval)) // 4)
     for name, through_filter in smooth.items():
         if not leg.blow_beside(name):
@@ -206,17 +212,16 @@ def _frozen(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 def _turned(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield gauges that move against their neighbours, and ligaments that are shortened by a blow."""
     for names in leg.bones.values():
-        loaded = {n: leg.after[n] for n in names if leg.peaks[n] > 0.05 * leg.amplitude_class(n)}
+        loaded = {n: leg.after[n] for n in names if leg.peaks[n] > 0.05 * leg.classes[n]}
         for name in turned_gauges(loaded):
             yield name, Reason.of("gauge-turned", others=[n for n in loaded if n != name])
-    for name, values in leg.after.items():
+    for name in leg.channels:
         if leg.moment(name) or not leg.blow_beside(name):
             continue
-        sign = leg.filtered.recording.table.kinds[name].sign
-        wrong = moves_wrong_way(values) if sign > 0 else moves_wrong_way(values, FREE_LIGAMENT)
+        sign, least, most = leg.filtered.recording.table.kinds[name].sign, leg.lows[name], leg.highs[name]
+        wrong = moves_wrong_way(least, most, WRONG_WAY if sign > 0 else FREE_LIGAMENT)
         if sign >= 0 and wrong and _regulated(leg, name):
-            least, most = float(values.min()) * 1e3, float(values.max()) * 1e3
-            yield name, Reason.of("moves-wrong-way", least=least, most=most, unit="mm")
+            yield name, Reason.of("moves-wrong-way", least=least * 1e3, most=most * 1e3, unit="mm")
 
 
 def _regulated(leg: LegChannels, name: str) -> bool:
@@ -244,7 +249,7 @@ def _units(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
             for name, channel in leg.channels.items()
             if channel.dimension == dimension and kinds[name].usual
         }
-        if dimension == MOMENT and not blow([leg.peaks[n] / leg.amplitude_class(n) for n in usual]):
+        if dimension == MOMENT and not blow([leg.peaks[n] / leg.classes[n] for n in usual]):
             continue
         for name, power in off_by_powers(leg.peaks, usual).items():
             shown = leg.peaks[name] * leg.channels[name].dimension.scale
@@ -267,32 +272,3 @@ CHECKS: tuple[Callable[[LegChannels], Iterator[tuple[str, Reason]]], ...] = (
     _early,
 )
 """In the order in which a channel's first fault is told."""
-
-
-def _unsteady(leg: LegChannels, doubts: Mapping[str, Reason]) -> Iterator[Reason]:
-    """Yield channels of a measured test that are restless before contact; a leg in flight never rests."""
-    recording = leg.filtered.recording
-    if recording.kind != "measured" or FREE_FLIGHT_NOISE in recording.conditions:
-        return
-    for name, values in leg.smooth.items():
-        if name in doubts or not leg.after[name].size or not leg.blow_beside(name):
-            continue
-        until_peak = leg.begin + int(np.abs(leg.after[name]).argmax()) - leg.rest // 2
-        drift = drift_until_peak(values[: leg.rest], until_peak, leg.peaks[name])
-        swing = swing_at_rest(values[: leg.rest], leg.peaks[name])
-        if drift is not None:
-            yield Reason.of("drifts-at-rest", channel=name, share=100.0 * abs(drift))
-        elif swing is not None:
-            yield Reason.of("swings-at-rest", channel=name, share=100.0 * swing)
-
-
-def _patterns(leg: LegChannels, doubts: Mapping[str, Reason]) -> Iterator[Reason]:
-    """Yield gauges that lie off the line between their neighbours by more than a leg can show."""
-    for names in leg.bones.values():
-        for before, gauge, behind in zip(names, names[1:], names[2:], strict=False):
-            three = (before, gauge, behind)
-            if any(name in doubts for name in three) or not any(leg.blow_beside(name) for name in three):
-                continue
-            share = off_the_line(*(leg.after[name] for name in three))
-            if share is not None:
-                yield Reason.of("moment-pattern", channel=gauge, others=[before, behind], share=share)

@@ -71,13 +71,12 @@ def trace_of(criterion: Criterion, filtered: Filtered, window: EvaluationWindow)
     DataError
         When a channel is missing or cannot be used, or no sample lies in the window.
     """
-    time = filtered.recording.time
-    slack = 1e-9 + 1e-6 * abs(filtered.recording.interval) if time.size > 1 else 1e-9
-    inside = (time >= window.start - slack) & (time <= window.end + slack)
+    inside = filtered.within(window.start, window.end)
+    time = filtered.recording.time[inside]
     table = filtered.recording.table
     name = table.name(ordinate(criterion))
     values = filtered.values(name, criterion.filter)
-    if not inside.any():
+    if not time.size:
         begin, end = window.start * 1e3, window.end * 1e3
         raise UnusableError(
             (f"nothing was recorded from {begin:.6g} to {end:.6g} ms after contact; export the whole record"),
@@ -85,8 +84,8 @@ def trace_of(criterion: Criterion, filtered: Filtered, window: EvaluationWindow)
         )
     y = filtered.recording[name]
     if criterion.curve is None:
-        return Trace(time[inside], time[inside], values[inside], "time", y.title, TIME, y.dimension)
+        return Trace(time, time, values[inside], "time", y.title, TIME, y.dimension)
     abscissa = table.name(criterion.curve.x)
     across = filtered.values(abscissa, criterion.filter)
     x = filtered.recording[abscissa]
-    return Trace(time[inside], across[inside], values[inside], x.title, y.title, x.dimension, y.dimension)
+    return Trace(time, across[inside], values[inside], x.title, y.title, x.dimension, y.dimension)

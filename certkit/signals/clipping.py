@@ -84,8 +84,10 @@ def find_clippings(
     found: list[Clipping | None] = [None] * len(rows)
     if rows.shape[1] < 2 * FLAT_SAMPLES:
         return found
-    highest, lowest = rows.max(axis=1), rows.min(axis=1)
-    largest = np.maximum(highest, -lowest)
+    high, low = rows.max(axis=1), rows.min(axis=1)
+    swings = high - low
+    highest, lowest = high.tolist(), low.tolist()
+    largest = [max(most, -least) for most, least in zip(highest, lowest, strict=True)]
     sides: list[tuple[int, float, float]] = []
     for row, limit in enumerate(amplitude_classes):
         if limit is not None:
@@ -94,17 +96,17 @@ def find_clippings(
             if found[row] is not None or largest[row] < SMALL * limit:
                 continue
         sides += [
-            (row, sign, float(top))
+            (row, sign, top)
             for sign, top in ((1.0, highest[row]), (-1.0, -lowest[row]))
             if top > 0 and top >= SMALLER * largest[row]
         ]
     if not sides:
         return found
     of = [row for row, _, _ in sides]
-    swings, heights = _bands(rows, highest - lowest)
+    heights = _bands(rows, swings)
     times = np.array([1.0 if top == largest[row] else STEEP_SMALLER for row, _, top in sides])
-    turned = rows[of] * np.array([[sign] for _, sign, _ in sides])
-    begins = _flat_tops(turned, heights[of], swings[of], times)
+    depths = rows[of] * np.array([[-sign] for _, sign, _ in sides])
+    begins = _flat_tops(depths, heights[of], swings[of], times)
     for (row, sign, top), begin in zip(sides, begins, strict=True):
         if begin >= 0 and found[row] is None:
             found[row] = Clipping(sign * top, int(begin))
@@ -137,25 +139,25 @@ def _at_limit(values: NDArray[np.float64], limit: float) -> Clipping | None:
     return Clipping(float(values[np.argmax(size)]), int(both[0])) if both.size else None
 
 
-def _bands(
-    rows: NDArray[np.float64], swings: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the channels' whole swings, shape (k,), and the heights of the bands to look at, in turn.
+def _bands(rows: NDArray[np.float64], swings: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the heights of the bands to look at, in turn, shape (k, bands); NaN where one is left out.
 
-    Heights have shape (k, bands), NaN where a band is left out.
+    `rows` has the shape (k, n), their `swings` the shape (k,).
     """
-    steps = np.abs(np.diff(rows))
-    digits = np.where(steps > 1e-9 * swings[:, np.newaxis], steps, np.inf).min(axis=1)
+    steps = np.diff(rows)
+    np.abs(steps, out=steps)
+    np.copyto(steps, np.inf, where=~(steps > 1e-9 * swings[:, np.newaxis]))
+    digits = steps.min(axis=1)
     digits[~np.isfinite(digits)] = 0.0
     bands = BANDS * swings[:, np.newaxis]
     # Values with few digits: one step below the top, however few bands are left.
     first = np.where((digits > 0.0) & (1.5 * digits < bands[:, -1]), 1.5 * digits, np.nan)
     bands[bands <= 2.5 * digits[:, np.newaxis]] = np.nan
-    return swings, np.column_stack([first, bands])
+    return np.column_stack([first, bands])
 
 
 def _flat_tops(
-    values: NDArray[np.float64],
+    depths: NDArray[np.float64],
     heights: NDArray[np.float64],
     swings: NDArray[np.float64],
     times: NDArray[np.float64],
@@ -164,22 +166,21 @@ def _flat_tops(
 
     Parameters
     ----------
-    values : ndarray, shape (k, n)
+    depths : ndarray, shape (k, n)
+        The values downwards, so that the peak is the lowest of them.
     heights : ndarray, shape (k, bands)
     swings, times : ndarray, shape (k,)
     """
-    count = values.shape[1]
-    peaks = values.argmax(axis=1)
-    tops = values[np.arange(len(values)), peaks]
+    count = depths.shape[1]
+    peaks = depths.argmin(axis=1)
+    tops = depths[np.arange(len(depths)), peaks]
     # How far the values stay within each band from the peak outwards: each band has one lower end.
-    floors = tops[:, np.newaxis] - heights
-    left = [_reach(row[peak::-1], floor) for row, peak, floor in zip(values, peaks, floors, strict=True)]
-    right = [_reach(row[peak:], floor) for row, peak, floor in zip(values, peaks, floors, strict=True)]
-    begin, end = peaks[:, np.newaxis] + 1 - np.stack(left), peaks[:, np.newaxis] + np.stack(right)
+    left, right = _reaches(depths, peaks, tops[:, np.newaxis] + heights)
+    begin, end = peaks[:, np.newaxis] + 1 - left, peaks[:, np.newaxis] + right
     widths = end - begin
     falls = (
-        _falls(tops, values[:, ::-1], count - begin, widths),
-        _falls(tops, values, end, widths),
+        _falls(tops, depths[:, ::-1], count - begin, widths),
+        _falls(tops, depths, end, widths),
     )
     shares, least = heights / swings[:, np.newaxis], SHOULDER * swings[:, np.newaxis]
     steep = times[:, np.newaxis] * np.interp(np.log(shares), np.log(STEEP[0]), STEEP[1])
@@ -190,56 +191,66 @@ def _flat_tops(
     alone = (np.fmax(*falls) > np.maximum(STEEP_ALONE * heights, least)) & (shares <= NARROW)
     for row, band in np.argwhere(alone & ~found):
         side = int(falls[1][row, band] == np.fmax(falls[0][row, band], falls[1][row, band]))
-        edge = values[row, end[row, band] - 1 :] if side else values[row, begin[row, band] :: -1]
+        edge = depths[row, end[row, band] - 1 :] if side else depths[row, begin[row, band] :: -1]
         alone[row, band] = not _steps_down(edge[: widths[row, band] + 1])
     hits = (found | alone) & (widths >= FLAT_SAMPLES) & ~lasting
     first = hits.argmax(axis=1)
     return np.where(hits.any(axis=1), begin[np.arange(len(begin)), first], -1)
 
 
-def _reach(outwards: NDArray[np.float64], floors: NDArray[np.float64]) -> NDArray[np.intp]:
-    """Return the number of samples from the peak outwards that lie above each floor without a gap.
+def _reaches(
+    depths: NDArray[np.float64], peaks: NDArray[np.intp], floors: NDArray[np.float64]
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return the numbers of samples from the peaks to the left and right that lie above each floor gaplessly.
 
     Parameters
     ----------
-    outwards : ndarray, shape (n,)
-        The peak first.
-    floors : ndarray, shape (bands,)
-        Falling; those that are left out are NaN, and any number stands for them.
+    depths : ndarray, shape (k, n)
+    peaks : ndarray, shape (k,)
+        Indices of the peaks, which count on both sides.
+    floors : ndarray, shape (k, bands)
+        Depths, rising; those that are left out are NaN, and any number stands for them.
     """
-    below = outwards < floors[-1]
-    last = int(below.argmax()) if below.any() else outwards.size
-    lowest = np.minimum.accumulate(outwards[: last + 1])
-    return np.searchsorted(-lowest, -floors, side="right")
+    below = depths > floors[:, -1:]
+    left, right = np.empty((2, *floors.shape), dtype=np.intp)
+    deepest = np.maximum.accumulate
+    for row, (depth, beyond, floor, peak) in enumerate(
+        zip(depths, below, floors, peaks.tolist(), strict=True)
+    ):
+        last = int(beyond[peak::-1].argmax()) or peak
+        left[row] = deepest(depth[peak - last : peak + 1][::-1]).searchsorted(floor, side="right")
+        last = int(beyond[peak:].argmax()) or depth.size
+        right[row] = deepest(depth[peak : peak + last + 1]).searchsorted(floor, side="right")
+    return left, right
 
 
 def _steps_down(shoulder: NDArray[np.float64]) -> bool:
-    """Tell whether a shoulder, shape (n,), from the flat's edge outwards, falls by a step.
+    """Tell whether a shoulder, its depths of shape (n,) from the flat's edge outwards, falls by a step.
 
     No flank of a blow that was cut off does; a sensor that was torn off may.
     """
-    jumps = shoulder[:-STEP_SAMPLES] - shoulder[STEP_SAMPLES:]
-    return bool(jumps.size and jumps.max() > STEP * (shoulder[0] - shoulder[-1]))
+    jumps = shoulder[STEP_SAMPLES:] - shoulder[:-STEP_SAMPLES]
+    return bool(jumps.size and jumps.max() > STEP * (shoulder[-1] - shoulder[0]))
 
 
 def _falls(
-    tops: NDArray[np.float64], values: NDArray[np.float64], ends: NDArray[np.intp], widths: NDArray[np.intp]
+    tops: NDArray[np.float64], depths: NDArray[np.float64], ends: NDArray[np.intp], widths: NDArray[np.intp]
 ) -> NDArray[np.float64]:
     """Return how far the shoulder behind each flat falls within its width; NaN where too little was recorded.
 
     Parameters
     ----------
     tops : ndarray, shape (k,)
-    values : ndarray, shape (k, n)
+    depths : ndarray, shape (k, n)
         The channels, in the direction in which the shoulder is looked at.
     ends : ndarray, shape (k, bands)
         Index of the first sample beside each flat.
     widths : ndarray, shape (k, bands)
         Samples of each flat.
     """
-    counts = np.minimum(values.shape[1] - ends, widths)
+    counts = np.minimum(depths.shape[1] - ends, widths)
     # What a parabola would fall within the samples that there are, brought to the whole width.
     shares = 9.0 / (1.0 + 2.0 * counts / widths) ** 2
-    behind = np.minimum(ends + counts, values.shape[1]) - 1
-    falls = (tops[:, np.newaxis] - np.take_along_axis(values, behind, axis=1)) * shares
+    behind = np.minimum(ends + counts, depths.shape[1]) - 1
+    falls = (depths[np.arange(len(depths))[:, np.newaxis], behind] - tops[:, np.newaxis]) * shares
     return np.where(counts < np.maximum(1, _BESIDE * widths), np.nan, falls)

@@ -50,16 +50,17 @@ PATTERN = 0.35
 mean square over root mean square; the shipped fronts, one of which hits right at a gauge, have up to 0.20."""
 
 
-def is_dead(after: NDArray[np.float64], before: NDArray[np.float64], amplitude_class: float) -> bool:
+def is_dead(swing: float, before: NDArray[np.float64], amplitude_class: float) -> bool:
     """Tell whether a channel shows nothing of the blow.
 
     Parameters
     ----------
-    after, before : ndarray, shape (n,), (m,)
-        From contact on, and at rest (may be empty).
+    swing : float
+        How far it moves from contact on.
+    before : ndarray, shape (m,)
+        At rest (may be empty).
     amplitude_class : float
     """
-    swing = float(np.ptp(after)) if after.size else 0.0
     if swing < DEAD * amplitude_class:
         return True
     return bool(before.size) and swing <= REST * float(np.ptp(before))
@@ -122,10 +123,29 @@ def activity(rows: NDArray[np.float64], interval: float) -> NDArray[np.float64]:
     length = max(2, round(WINDOW / interval))
     if rows.shape[1] < length:
         return np.zeros((len(rows), 0))
-    swings = np.ptp(rows, axis=1)[:, np.newaxis]
     windows = np.lib.stride_tricks.sliding_window_view(rows, length, axis=1)[:, :: max(1, length // 4)]
+    return _shares_of_swing(windows, rows)
+
+
+def _shares_of_swing(windows: NDArray[np.float64], rows: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return how far channels move in windows, shape (channels, k, samples), over their whole swings."""
+    swings = np.ptp(rows, axis=1)[:, np.newaxis]
     found: NDArray[np.float64] = np.ptp(windows, axis=2) / np.where(swings > 0.0, swings, 1.0)
     return found
+
+
+def perhaps_frozen(rows: NDArray[np.float64], interval: float) -> bool:
+    """Tell whether some channel may stand still in some window, by a few samples of each: else none does.
+
+    Parameters are those of `activity`.
+    """
+    length = max(2, round(WINDOW / interval))
+    if rows.shape[1] < length or not len(rows):
+        return True
+    begins = np.arange(0, rows.shape[1] - length + 1, max(1, length // 4))
+    samples = np.arange(0, length, max(1, length // 8))
+    windows = rows[:, begins[:, np.newaxis] + samples]
+    return bool((_shares_of_swing(windows, rows) < FROZEN).any())
 
 
 def frozen_from(
@@ -160,10 +180,17 @@ def turned_gauges(bone: Mapping[str, NDArray[np.float64]]) -> dict[str, float]:
     bone : mapping of str to ndarray, shape (n,)
         Moments in N·m by channel; two gauges are needed, and those without any movement take no part.
     """
-    moving = {name: values for name, values in bone.items() if values.size > 1 and np.ptp(values) > 0}
+    if len(bone) < 2:
+        return {}
+    rows = np.stack(list(bone.values()))
+    moves = np.ptp(rows, axis=1) > 0 if rows.shape[1] > 1 else np.zeros(len(rows), dtype=np.bool_)
+    moving = [name for name, moved in zip(bone, moves.tolist(), strict=True) if moved]
     if len(moving) < 2:
         return {}
-    table = np.atleast_2d(np.corrcoef(np.stack(list(moving.values()))))
+    rows = rows[moves]
+    rows -= rows.mean(axis=1)[:, np.newaxis]
+    rows /= np.sqrt((rows * rows).sum(axis=1))[:, np.newaxis]
+    table = rows @ rows.T
     found = {}
     for row, name in enumerate(moving):
         middle = _middle(value for other, value in enumerate(table[row].tolist()) if other != row)
@@ -172,12 +199,9 @@ def turned_gauges(bone: Mapping[str, NDArray[np.float64]]) -> dict[str, float]:
     return found
 
 
-def moves_wrong_way(values: NDArray[np.float64], times: float = WRONG_WAY) -> bool:
-    """Tell whether a ligament that a blow lengthens is shortened instead; elongation in m, shape (n,)."""
-    if not values.size:
-        return False
-    shorter, longer = -float(values.min()), max(float(values.max()), 0.0)
-    return shorter > SHORTENED and shorter > times * longer
+def moves_wrong_way(least: float, most: float, times: float) -> bool:
+    """Tell whether a ligament that a blow lengthens is shortened instead, by its least and most, m."""
+    return -least > SHORTENED and -least > times * max(most, 0.0)
 
 
 def off_by_powers(peaks: Mapping[str, float], usual: Mapping[str, float]) -> dict[str, int]:

@@ -11,7 +11,7 @@ from msgspec import Struct, field
 
 import certkit
 from certkit.bench.package_versions import package_versions
-from certkit.bench.setup import Setup, prepare
+from certkit.bench.setup import Setup, Unchanged, prepare
 from certkit.definitions.loading.kinds import kind_of
 from certkit.definitions.loading.library import search_order
 from certkit.definitions.loading.old_forms import path_of_today
@@ -99,12 +99,19 @@ class Trial(Struct, frozen=True, dict=True):
             if scope in {"", procedure}
             for path, factor in ((first, 1.0), *self.tied.get(name, ()))
         }
-        return prepare(procedure, library=self._stores, overrides={**self.fixed, **own})
+        return prepare(
+            procedure, library=self._stores, overrides={**self.fixed, **own}, unchanged=self._unchanged
+        )
 
     @cached_property
     def _stores(self) -> tuple[RememberedStore, ...]:
         """Where definitions are looked for: once, so that all runs meet the same files."""
         return tuple(RememberedStore(store) for store in search_order(self.library))
+
+    @cached_property
+    def _unchanged(self) -> Unchanged:
+        """What no point changes, read for the first of them."""
+        return {}
 
     @property
     def context(self) -> str:

@@ -71,3 +71,22 @@ def test_a_channel_that_is_too_slow_names_itself():
 def test_an_unknown_filter_is_refused():
     with pytest.raises(DataError, match="unknown filter `CFC 181`"):
         Filtered(recording(TIME, {"T1": half_sine(TIME, 1.0)})).values("T1", "CFC 181")
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_a_window_holds_both_of_its_ends_whichever_way_the_axis_goes(order: int):
+    time = np.arange(11) * 1e-3
+    filtered = Filtered(recording(time[::order], {"T1": np.arange(11.0)}))
+    inside = filtered.recording.time[filtered.within(2e-3, 5e-3)]
+    np.testing.assert_allclose(sorted(inside), [2e-3, 3e-3, 4e-3, 5e-3])
+
+
+def test_a_window_beyond_the_record_is_empty():
+    filtered = Filtered(recording(TIME, {}))
+    assert filtered.recording.time[filtered.within(0.5, 0.6)].size == 0
+    assert filtered.recording.time[filtered.within(0.05, 0.04)].size == 0
+
+
+def test_channels_of_different_lengths_are_looked_at_one_by_one():
+    filtered = Filtered(recording(TIME, {"T1": np.array([1.0, np.nan]), "T2": np.ones(3)}))
+    assert filtered.finite == {"T2"}

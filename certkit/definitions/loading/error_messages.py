@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from difflib import get_close_matches
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.loading.faults import Faults, Steps
@@ -75,6 +76,7 @@ def _meant(details: list[ErrorDetails], tree: Tree, model: type[BaseModel]) -> I
                 yield (*steps[:-1], near)
 
 
+@lru_cache(maxsize=4096)
 def plain(word: str) -> str:
     """Return a word as it is compared: case, `_` and `-` do not count."""
     return word.casefold().replace("_", " ").replace("-", " ")

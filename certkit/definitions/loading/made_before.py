@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 
 _MOST_KEPT = 64
 
-_MADE: dict[tuple[str, Found], tuple[dict[str, Any], BaseModel]] = {}
+Parts = dict[tuple[int, int], Any]
+"""What stands for unchanged plain data, by the identities of that data and of what was made of it."""
+
+_MADE: dict[tuple[str, Found], tuple[dict[str, Any], BaseModel, Parts]] = {}
 
 
 def keep(
@@ -31,7 +34,7 @@ def keep(
         return
     if len(_MADE) >= _MOST_KEPT:
         _MADE.clear()
-    _MADE[kind, found] = data, document
+    _MADE[kind, found] = data, document, {}
 
 
 def with_made(kind: str, found: Found, data: dict[str, Any]) -> Any:  # noqa: ANN401  # data or a document
@@ -40,7 +43,7 @@ def with_made(kind: str, found: Found, data: dict[str, Any]) -> Any:  # noqa: AN
     return None if kept is None else parts_made(data, *kept)
 
 
-def parts_made(data: Any, before: Any, made: Any) -> Any:  # noqa: ANN401  # raw YAML data
+def parts_made(data: Any, before: Any, made: Any, parts: Parts) -> Any:  # noqa: ANN401  # raw YAML data
     """Return data in which unchanged parts stand as they were made.
 
     Parameters
@@ -49,9 +52,20 @@ def parts_made(data: Any, before: Any, made: Any) -> Any:  # noqa: ANN401  # raw
         Plain data now and then; what is unchanged is the same object in both.
     made : any
         What was made of `before`.
+    parts : Parts
+        Filled with what unchanged data come to.
     """
     if data is before and isinstance(made, (Document, Number)):
         return made
+    if data is not before or not isinstance(data, (dict, list)):
+        return _with_parts(data, before, made, parts)
+    key = (id(before), id(made))
+    if key not in parts:
+        parts[key] = _with_parts(data, before, made, parts)
+    return parts[key]
+
+
+def _with_parts(data: Any, before: Any, made: Any, parts: Parts) -> Any:  # noqa: ANN401  # raw YAML data
     if isinstance(data, dict) and isinstance(before, dict):
         raw: frozenset[str] = frozenset()
         if isinstance(made, Document):
@@ -60,12 +74,12 @@ def parts_made(data: Any, before: Any, made: Any) -> Any:  # noqa: ANN401  # raw
             if any(data.get(key) is not before.get(key) for key in raw):
                 return data
         return {
-            key: value if key in raw else parts_made(value, before.get(key), _under(made, key))
+            key: value if key in raw else parts_made(value, before.get(key), _under(made, key), parts)
             for key, value in data.items()
         }
     lists = isinstance(data, list) and isinstance(before, list) and isinstance(made, (list, tuple))
     if lists and len(data) == len(before) == len(made):
-        return [parts_made(*each) for each in zip(data, before, made, strict=True)]
+        return [parts_made(*each, parts) for each in zip(data, before, made, strict=True)]
     return data
 
 

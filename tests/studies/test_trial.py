@@ -1,0 +1,47 @@
+"""One run of a study: what it reads of its definitions, and how it travels."""
+
+from __future__ import annotations
+
+import pickle
+from typing import TYPE_CHECKING
+
+from certkit.definitions.loading.search_path import shipped_root
+from certkit.studies.trial import Trial
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+LENGTH = "legform.parts.femur.bending stiffness"
+
+
+def test_runs_share_what_no_point_changes_and_have_their_own_of_the_rest() -> None:
+    trial = Trial(("inverse",), units={LENGTH: "N·m²"})
+    one, other = (trial.prepared("inverse", {LENGTH: value}) for value in (180.0, 190.0))
+    assert one.procedure is other.procedure
+    assert [float(s.legform.parts["femur"].bending_stiffness) for s in (one, other)] == [180.0, 190.0]
+    assert trial.prepared("inverse", {}).legform == Trial(("inverse",)).prepared("inverse", {}).legform
+
+
+def test_a_changed_procedure_does_not_stay_for_the_next_point() -> None:
+    trial = Trial(("inverse",), units={"rig.ram.mass": "kg"})
+    as_it_stands = trial.prepared("inverse", {}).procedure
+    changed = trial.prepared("inverse", {"rig.ram.mass": 8.2}).procedure
+    assert changed.rig != as_it_stands.rig
+    assert trial.prepared("inverse", {}).procedure is as_it_stands
+
+
+def test_all_runs_meet_a_file_as_the_first_one_did(tmp_path: Path) -> None:
+    own = tmp_path / "own.yaml"
+    own.write_bytes((shipped_root() / "procedures" / "inverse.yaml").read_bytes())
+    trial = Trial((str(own),))
+    first = trial.prepared(str(own), {}).procedure
+    own.write_text("procedure: changed meanwhile", encoding="utf-8")
+    assert trial.prepared(str(own), {}).procedure is first
+
+
+def test_a_trial_that_has_read_its_files_reads_them_where_it_has_travelled_to() -> None:
+    trial = Trial(("inverse",))
+    trial.context  # noqa: B018  # reads everything
+    there = pickle.loads(pickle.dumps(trial))  # noqa: S301  # our own bytes
+    assert there == trial
+    assert there.prepared("inverse", {}).procedure == trial.prepared("inverse", {}).procedure
