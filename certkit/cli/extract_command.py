@@ -159,11 +159,13 @@ def _show(result: ExtractionResult) -> None:
             f"{material.rms_percent:.1f} % rms, "
             f"{material.mean_percent:+.1f} % in the mean against the material's curve"
         )
-    from certkit.reporting.extraction_text import (  # noqa: PLC0415  # not for `--help`
+    from certkit.reporting.extraction_findings import findings  # noqa: PLC0415  # not for `--help`
+    from certkit.reporting.extraction_text import (  # noqa: PLC0415  # likewise
         channels_table,
         check_sentence,
         left_out,
     )
+    from certkit.reporting.language import language  # noqa: PLC0415  # likewise
 
     table = channels_table(result)
     if table:
@@ -173,3 +175,5 @@ def _show(result: ExtractionResult) -> None:
     missing = left_out(result)
     if missing:
         typer.echo(missing)
+    for finding in findings(result, language().word):
+        typer.echo(f"→ {finding}")

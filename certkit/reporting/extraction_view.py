@@ -16,6 +16,7 @@ from certkit.reporting.charts.paired_bars import bars_of
 from certkit.reporting.charts.run_and_model import leg_colours, run_and_model
 from certkit.reporting.charts.spring_curves import farther, path_check, reach, spring_chart
 from certkit.reporting.coupled_check import check_of, group_of, worst_group
+from certkit.reporting.extraction_findings import findings
 from certkit.reporting.extraction_text import left_out
 from certkit.reporting.language import ENGLISH, language
 
@@ -76,6 +77,7 @@ class ExtractionView(Struct, frozen=True):
     channels: list[ChannelView]
     checks: list[tuple[SelfCheck, list[ChannelView]]]
     contact_left_out: str | None
+    findings: list[str]
     profile: Drawing | None
     sketches: list[Drawing]
     bars: list[Drawing]
@@ -115,6 +117,7 @@ def extraction_view(result: ExtractionResult, spoken: str = ENGLISH) -> Extracti
         else [],
         checks=[(check, [_channel(c, None, t) for c in check.channels]) for check in result.checks],
         contact_left_out=left_out(result),
+        findings=findings(result, t),
         profile=face_profiles(result, fronts, t) if fronts and fronts.groups else None,
         sketches=sketches(result, t),
         bars=bars_of(result, t),
