@@ -7,8 +7,9 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Document
+from certkit.definitions.filters import Filter
 from certkit.definitions.loading.faults import Fault, Faults
-from certkit.definitions.procedure import Curve, Filter
+from certkit.definitions.procedure import Curve
 
 
 class Prior(Document):

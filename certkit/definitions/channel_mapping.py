@@ -8,13 +8,13 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, ValidationInfo, model_validator
 
 from certkit.definitions.base import Document
+from certkit.definitions.filters import Filter
 from certkit.definitions.loading.channel_tables import channels_in
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.units import UNITS
 from certkit.definitions.virtual_test import FiniteElements, LegformModel
 
-Filter = Literal["none", "CFC 60", "CFC 180", "CFC 600", "CFC 1000"]
 Sign = Literal[1, -1]
 
 

@@ -7,6 +7,7 @@ from typing import Annotated, Self
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Document
+from certkit.definitions.filters import Filter
 from certkit.definitions.provenance import Confidence
 
 
@@ -52,7 +53,7 @@ class Diagnosis(Document):
     ] = {}
     window: Annotated[str, Field(description="Time after contact that is looked at.")] = "60 ms"
     step: Annotated[str, Field(description="Between the places at which curves are compared.")] = "2 ms"
-    filter: str = "CFC 180"
+    filter: Filter = "CFC 180"
     gain: Annotated[str, Field(description="Standard uncertainty of a sensor's gain.")] = "0.5 %"
     trigger: Annotated[str, Field(description="Standard uncertainty of time zero.")] = "0.2 ms"
     floor: Annotated[

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Document, Section, Sourced
+from certkit.definitions.filters import Filter
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.measures import MEASURES
@@ -69,7 +70,6 @@ class At(Document):
     equals: str
 
 
-Filter = Literal["none", "CFC 60", "CFC 180", "CFC 600", "CFC 1000"]
 if TYPE_CHECKING:
     Measure = str
 else:

@@ -26,7 +26,8 @@ from typing import TYPE_CHECKING, get_args
 import numpy as np
 from msgspec import Struct, field
 
-from certkit.definitions.channel_mapping import Column, Filter, TimeColumn
+from certkit.definitions.channel_mapping import Column, TimeColumn
+from certkit.definitions.filters import Filter
 from certkit.definitions.units import UNITS
 from certkit.documents.channel_curves import recording_of
 from certkit.documents.rounding import SIGNIFICANT_DIGITS
@@ -49,7 +50,7 @@ if TYPE_CHECKING:
     from certkit.signals.recording import Recording
 
 KINDS: tuple[Kind, ...] = get_args(Kind)
-FILTERS: tuple[Filter, ...] = get_args(Filter)
+FILTER_WORDS: tuple[Filter, ...] = get_args(Filter)
 
 DIGITS = 9
 """Significant digits of a recording; a result's channels have those of its document."""
@@ -207,10 +208,10 @@ def told_filter(table: CsvTable, name: str) -> Filter | None:
     if f"filter {name}" not in table.remarks:
         return None
     text, line = table.remarks[f"filter {name}"]
-    known = next((word for word in FILTERS if word == text), None)
+    known = next((word for word in FILTER_WORDS if word == text), None)
     if known is None:
         raise DataError(
-            f"{table.place}:{line}: no filter is called `{text[:40]}`; write one of {', '.join(FILTERS)}"
+            f"{table.place}:{line}: no filter is called `{text[:40]}`; write one of {', '.join(FILTER_WORDS)}"
         )
     return known
 

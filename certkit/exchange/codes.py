@@ -10,16 +10,19 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from certkit.definitions.channel_mapping import Condition, Mapping, MmeTable
+from certkit.definitions.filters import FILTERS
 from certkit.definitions.loading.channel_tables import default_channels
 from certkit.definitions.loading.validation import validate
 from certkit.definitions.loading.yaml_reader import read_tree
 
 FILTER_OF_LETTER = MappingProxyType(
-    {"0": "", "P": "", "Q": "", "A": "CFC 1000", "B": "CFC 600", "C": "CFC 180", "D": "CFC 60"}
+    {"0": "", "P": "", "Q": "", **{kind.letter: words for words, kind in FILTERS.items() if kind.letter}}
 )
 """Filter that the last letter of a code stands for."""
 
-LETTER_OF_FILTER = MappingProxyType({"": "0", "CFC 1000": "A", "CFC 600": "B", "CFC 180": "C", "CFC 60": "D"})
+LETTER_OF_FILTER = MappingProxyType(
+    {"": "0", **{words: kind.letter for words, kind in FILTERS.items() if kind.letter}}
+)
 """And back; any other filter is written as `S`."""
 
 if TYPE_CHECKING:

@@ -17,7 +17,6 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,9 +25,6 @@ from certkit.reasons import Reason, UnusableError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-CLASSES = MappingProxyType({"CFC 60": 60.0, "CFC 180": 180.0, "CFC 600": 600.0, "CFC 1000": 1000.0})
-"""Filter words of a procedure and their class, Hz."""
 
 EDITION = "ISO 6487, design frequency CFC · 1.25/0.6"
 DESIGN_RATIO = 1.25 / 0.6

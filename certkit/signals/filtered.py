@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.definitions.filters import FILTERS
 from certkit.errors import DataError
 from certkit.reasons import Reason, UnusableError, reason_of
-from certkit.signals.cfc import CLASSES, cfc
+from certkit.signals.cfc import cfc
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -41,7 +42,7 @@ class Filtered:
             if channel is not None and needs_filter(channel, words) and name in self.finite:
                 together.setdefault(words, []).append(channel)
         for words, channels in together.items():
-            rows = cfc(np.stack([c.values for c in channels]), recording.interval, CLASSES[words])
+            rows = _through(words, np.stack([c.values for c in channels]), recording.interval)
             self._kept |= {(c.name, words): row for c, row in zip(channels, rows, strict=True)}
 
     @cached_property
@@ -104,13 +105,18 @@ class Filtered:
             self._kept[key] = channel.values
             return channel.values
         try:
-            self._kept[key] = cfc(channel.values, self.recording.interval, CLASSES[words])
+            self._kept[key] = _through(words, channel.values, self.recording.interval)
         except DataError as error:
             raise UnusableError(
                 f"channel `{name}`: {error}",
                 Reason.of("channel-unusable", channel=name, reason=reason_of(error)),
             ) from error
         return self._kept[key]
+
+
+def _through(words: str, values: NDArray[np.float64], interval: float) -> NDArray[np.float64]:
+    """Filter samples, shape (…, n), that are an interval (s) apart."""
+    return cfc(values, interval, FILTERS[words].frequency_class)
 
 
 def needs_filter(channel: Channel, words: str) -> bool:
@@ -126,16 +132,13 @@ def needs_filter(channel: Channel, words: str) -> bool:
     """
     if words == "none":
         return False
-    if words not in CLASSES:
-        raise DataError(f"unknown filter `{words}`; write none, {', '.join(CLASSES)}")
-    seen = CLASSES.get(channel.filtered)
-    if seen is not None and seen < CLASSES[words]:
+    if words not in FILTERS:
+        raise DataError(f"unknown filter `{words}`; write none, {', '.join(FILTERS)}")
+    seen, wanted = FILTERS.get(channel.filtered), FILTERS[words]
+    if seen is not None and seen.frequency_class < wanted.frequency_class:
         raise UnusableError(
-            (
-                f"channel `{channel.name}` was already filtered with {channel.filtered}, narrower than "
-                f"{words}"
-                "; export it unfiltered"
-            ),
+            f"channel `{channel.name}` was already filtered with {channel.filtered}, narrower than {words}; "
+            "export it unfiltered",
             Reason.of("channel-filtered-narrower", channel=channel.name, seen=channel.filtered, wanted=words),
         )
-    return seen != CLASSES[words]
+    return seen is None or seen.frequency_class != wanted.frequency_class

@@ -23,12 +23,13 @@ from certkit.cli.commands import PANELS
 from certkit.definitions.base import Section
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.extraction_case import Format, HistoryFiles
+from certkit.definitions.filters import FILTERS
 from certkit.definitions.fixtures import FIXTURES, RIG_CHANNELS
 from certkit.definitions.legform_parts import Ligament
 from certkit.definitions.loading.validation import read_document
 from certkit.definitions.measures import MEASURES, MeasureKind
 from certkit.definitions.study import DESIGNS, Design, DesignKind
-from certkit.exchange.codes import code_table
+from certkit.exchange.codes import FILTER_OF_LETTER, LETTER_OF_FILTER, code_table
 from certkit.exchange.fe import read_case_data
 from certkit.exchange.read import read_recording
 from certkit.grading.measure import NoInterval, measure
@@ -397,3 +398,13 @@ def test_every_figure_is_drawn_by_a_function_of_a_chart_file():
         for place in filter(None, (entry.draw, entry.beside)):
             module, _, function = place.partition(":")
             assert callable(getattr(import_module(f"certkit.reporting.charts.{module}"), function))
+
+
+def test_filters_are_named_in_one_place():
+    """Whoever takes one filter names it, as `CFC 180` for the moments that end the assessment interval."""
+    said = saying(set(FILTERS) - {"CFC 180"}, "definitions/filters.py")
+    assert said == ["exchange/mme_checks.py: CFC 1000"]  # what an amplifier usually has
+    assert {words for words in FILTER_OF_LETTER.values() if words} == set(FILTERS)
+    assert {word: FILTER_OF_LETTER[letter] for word, letter in LETTER_OF_FILTER.items()} == {
+        word: word for word in ("", *FILTERS)
+    }

@@ -7,9 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from certkit.definitions.filters import FILTERS
 from certkit.errors import DataError
 from certkit.signals import cfc
-from certkit.signals.cfc import CLASSES, DESIGN_RATIO
+from certkit.signals.cfc import DESIGN_RATIO
 
 INTERVAL = 1e-5
 
@@ -38,13 +39,13 @@ def test_far_above_the_class_the_filter_falls_by_24_decibels_an_octave():
     assert fall == pytest.approx(24.0, abs=0.5)
 
 
-@pytest.mark.parametrize("words", list(CLASSES))
+@pytest.mark.parametrize("words", list(FILTERS))
 @pytest.mark.parametrize("samples", [300, 2000, 20000])
 def test_it_is_the_recursive_filter_run_forward_and_backward(words: str, samples: int):
     signal = pytest.importorskip("scipy.signal")
     values = np.cumsum(np.random.default_rng(7).normal(size=(3, samples)), axis=1)
     interval = 2e-5
-    design = DESIGN_RATIO * CLASSES[words]
+    design = DESIGN_RATIO * FILTERS[words].frequency_class
     sections = signal.butter(2, design, fs=1 / interval, output="sos")
     pad = int(np.ceil(27.6 / (np.sqrt(2) * np.tan(np.pi * design * interval))))
     reach = min(pad, samples - 1)
@@ -60,7 +61,9 @@ def test_it_is_the_recursive_filter_run_forward_and_backward(words: str, samples
     expected = signal.sosfiltfilt(sections, level, padtype=None)[:, pad + reach : pad + reach + samples]
     # padtype=None starts from the first value at rest, which the level ends are.
     scale = np.abs(values).max()
-    np.testing.assert_allclose(cfc(values, interval, CLASSES[words]), expected, atol=1e-9 * scale, rtol=0)
+    np.testing.assert_allclose(
+        cfc(values, interval, FILTERS[words].frequency_class), expected, atol=1e-9 * scale, rtol=0
+    )
 
 
 def test_a_constant_and_a_ramp_pass_unchanged():
