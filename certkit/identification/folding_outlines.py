@@ -25,7 +25,9 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 FINEST = 0.02
-"""Outlines stand at least this share of the largest displacement apart."""
+"""Outlines stand at least this share of the largest displacement of all faces apart: how far a face is pushed in
+is not told more finely. Told more finely, what a face does while it hardly moves is a jump, which the leg and the
+face answer with chatter."""
 
 TOLERANCE = 3e-4
 """m: an outline is left out where its neighbours give every point of it nearer than this."""
@@ -73,7 +75,11 @@ def folding_outlines(
         name: _to_next(chain, [other for own, other in chains.items() if kinds[own] == kinds[name]])
         for name, chain in chains.items()
     }
-    return {name: _outlines(chain, motion.time, displacements[name], grid) for name, chain in joined.items()}
+    finest = FINEST * max((float(np.max(displacements[name])) for name in joined), default=0.0)
+    return {
+        name: _outlines(chain, motion.time, displacements[name], grid, finest)
+        for name, chain in joined.items()
+    }
 
 
 def _to_next(chain: Values, chains: Iterable[Values]) -> Values:
@@ -86,20 +92,20 @@ def _to_next(chain: Values, chains: Iterable[Values]) -> Values:
     return np.concatenate([chain, near[1][None]])
 
 
-def _outlines(chain: Values, time: Values, moved: Values, grid: Grid) -> FoldingOutlines:
+def _outlines(chain: Values, time: Values, moved: Values, grid: Grid, finest: float) -> FoldingOutlines:
     seen = grid.time <= min(float(grid.time[-1]), float(time[-1]))
     at, moved = grid.time[seen], moved[seen]
     k = int(np.argmax(moved))
     largest = float(moved[k])
     if largest < STILL:
         return FoldingOutlines(np.zeros(1), chain[None, :, 0], np.zeros(0), np.zeros((0, len(chain), 2)))
-    way = _first_beyond(np.maximum(moved[: k + 1], 0.0), FINEST * largest)
+    way = _first_beyond(np.maximum(moved[: k + 1], 0.0), finest)
     pushed_at = np.maximum(moved[way], 0.0)
     pushed_at[0] = 0.0
     forms = _forms(chain, time, at, moved)
     pushed = _mean_forms(forms[:, : k + 1], moved[: k + 1], pushed_at)
     pushed[0] = chain[:, 0]
-    back = k + _first_beyond(np.minimum(largest - moved[k:], largest), FINEST * largest)
+    back = k + _first_beyond(np.minimum(largest - moved[k:], largest), finest)
     shares = np.maximum(moved[back] / largest, 0.0)
     returning = _mean_forms(forms[:, k:], moved[k:], shares * largest)
     keep = _telling(pushed_at, pushed, along=pushed_at)

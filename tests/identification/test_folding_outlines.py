@@ -49,6 +49,25 @@ def test_a_face_that_goes_on_to_fold_while_its_group_stands_still_has_the_mean_o
     )
 
 
+def test_a_face_that_hardly_moves_is_told_no_more_finely_than_the_others() -> None:
+    """What it does while it stands still is no jump over a hair's breadth of displacement."""
+    turning = 0.004 * np.sin(2 * np.pi * TIME / 0.008)
+    moved = {"F1": MOVED, "H1": 0.1 * MOVED}
+    places = {
+        name: {
+            f"{name} {k}": np.column_stack([moved[name] - k * turning, np.full_like(TIME, z + 0.1 * k)])
+            for k in range(2)
+        }
+        for name, z in (("F1", 0.0), ("H1", 0.5))
+    }
+    graph = Graph({name: (name,) for name in places}, ())
+    kinds = {"F1": "fascia", "H1": "hood"}
+    found = folding_outlines(graph, kinds, NodeMotion(TIME, places), moved, Grid(TIME, TIME, 1e-3))
+    for name, face in found.items():
+        assert np.diff(face.at)[:-1].min() >= 0.02 * MOVED.max(), name
+        assert len(face.at) > 2
+
+
 def test_what_a_face_does_after_it_has_come_back_is_no_part_of_its_way_back() -> None:
     moved = 0.08 * np.interp(TIME, [0.0, 0.010, 0.020, 0.030, 0.040], [0.0, 1.0, 0.0, 0.6, 0.0])
     later = outlines_of(np.where(TIME > 0.020, 0.02, 0.0), moved)

@@ -128,7 +128,7 @@ def test_the_front_bends_its_leg_as_in_the_run_though_nothing_was_fitted_to_it(
     alone, coupled = (
         next(c for c in checks[check].channels if c.name == channel) for check in ("leg alone", "coupled")
     )
-    assert coupled.peak == pytest.approx(coupled.run_peak, rel=0.10)
+    assert coupled.peak == pytest.approx(coupled.run_peak, rel=0.12)
     assert coupled.time == pytest.approx(coupled.run_time, abs=2.5e-3)
     assert coupled.rms_percent < 10
     assert alone.peak == pytest.approx(coupled.run_peak, rel=0.15)
