@@ -38,6 +38,7 @@ from certkit.grading.trace import EvaluationWindow
 from certkit.mechanics.force_laws import LAWS
 from certkit.mechanics.force_laws.law import ForceLaw
 from certkit.mechanics.force_laws.ligament_cable import LigamentCable
+from certkit.named_class import file_name, named_class
 from certkit.reporting.figure_list import FIGURES
 from certkit.reporting.language_list import languages
 from certkit.reporting.report_format import FORMATS
@@ -88,7 +89,7 @@ def with_file(monkeypatch: pytest.MonkeyPatch, package: ModuleType, tmp_path: Pa
 
 
 def test_measures_are_named_in_one_place():
-    assert {word.replace(" ", "_") for word in MEASURES} == files("grading/measures") - {"measure_method"}
+    assert {file_name(word) for word in MEASURES} == files("grading/measures") - {"measure_method"}
     several_words = {word for word in MEASURES if " " in word}
     assert saying(several_words, "definitions/measures.py") == []
 
@@ -181,8 +182,7 @@ def test_a_design_is_one_file_and_one_line(monkeypatch: pytest.MonkeyPatch, tmp_
 
 
 def test_formats_of_finite_element_histories_are_named_in_one_place():
-    words = {word.replace(" ", "_").replace("-", "_") for word in get_args(Format)}
-    assert words == files("exchange/fe/readers")
+    assert {file_name(word) for word in get_args(Format)} == files("exchange/fe/readers")
     said = saying(set(get_args(Format)), "definitions/extraction_case.py")
     assert said == ["definitions/virtual_test.py: tidy csv"]  # a tidy table alone has columns
 
@@ -408,3 +408,18 @@ def test_filters_are_named_in_one_place():
     assert {word: FILTER_OF_LETTER[letter] for word, letter in LETTER_OF_FILTER.items()} == {
         word: word for word in ("", *FILTERS)
     }
+
+
+def test_what_is_listed_without_its_file_is_told_by_the_file_it_needs(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+):
+    with pytest.raises(
+        LookupError, match=r"certkit/grading/measures/made_up_clip\.py with a class MadeUpClip"
+    ):
+        named_class("certkit.grading.measures", "made-up clip")
+    with_file(monkeypatch, measure_files, tmp_path, "made_up_hold", "class Hold: ...\n")
+    with pytest.raises(LookupError, match=r"made_up_hold\.py has no class MadeUpHold"):
+        named_class("certkit.grading.measures", "made up hold")
+    with_file(monkeypatch, measure_files, tmp_path, "made_up_import", "import nowhere_at_all\n")
+    with pytest.raises(ModuleNotFoundError, match="nowhere_at_all"):
+        named_class("certkit.grading.measures", "made up import")

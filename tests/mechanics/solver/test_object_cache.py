@@ -110,7 +110,8 @@ def test_a_cache_that_cannot_be_written_stops_nothing(
     (fresh / "file").write_text("in the way")
     monkeypatch.setenv("CERTKIT_CACHE", str(fresh / "file"))
     monkeypatch.setattr(object_cache, "compile_loop", lambda: code)
-    assert np.isfinite(trajectory(world)[0]).all()
+    _, tracks, *_ = trajectory(world)  # of the bodies; a law's numbers may be without end
+    assert np.isfinite(tracks).all()
 
 
 @pytest.mark.usefixtures("fresh")
@@ -155,7 +156,8 @@ def test_without_numbas_private_names_the_public_way_is_taken_and_one_line_says_
     )
     taken = []
     monkeypatch.setattr(object_cache, "by_numba", lambda: taken.append("numba") or by_numba)
-    assert np.isfinite(trajectory(world)[0]).all()
+    _, tracks, *_ = trajectory(world)  # of the bodies; a law's numbers may be without end
+    assert np.isfinite(tracks).all()
     assert taken == ["numba"]
     (_, said) = capsys.readouterr().err.splitlines()
     assert "every process compiles it anew" in said

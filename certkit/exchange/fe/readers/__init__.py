@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, get_args
 from certkit.definitions.extraction_case import TABLE, Format
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes
+from certkit.named_class import file_name
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -78,4 +79,4 @@ def _names() -> list[str]:
 
 
 def _reader(name: str) -> Any:  # noqa: ANN401  # a module
-    return import_module(f"{__name__}.{name.replace(' ', '_').replace('-', '_')}")
+    return import_module(f"{__name__}.{file_name(name)}")
