@@ -6,13 +6,13 @@ How they filter, and what they take a channel for before its first and after its
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Literal
 
+from msgspec import Struct
 
-@dataclass(frozen=True)
-class FilterKind:
+
+class FilterKind(Struct, frozen=True):
     """A channel frequency class of ISO 6487.
 
     Parameters
