@@ -11,8 +11,9 @@ from certkit.reporting import number_format as words
 from certkit.reporting.channel_order import ordered_channels
 from certkit.reporting.criterion_row import Row, criterion_row, figure_of, slug
 from certkit.reporting.laboratory_view import LaboratoryView, laboratory_view
-from certkit.reporting.language import ENGLISH, Language, language, worded
+from certkit.reporting.language import ENGLISH, language, worded
 from certkit.reporting.margins import margin_words, nearest_words, tally, worst
+from certkit.reporting.result_figures import ResultFigures, drawable
 from certkit.reporting.score_words import score_words
 from certkit.reporting.translated_titles import with_titles
 
@@ -20,9 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from certkit.definitions.bibliography import Work
-    from certkit.documents.result import CriterionResult, PreconditionResult, Result
-    from certkit.reporting.svg import Drawing
-    from certkit.reporting.vehicle_front_view import FrontView
+    from certkit.documents.result import PreconditionResult, Result
 
 KINDS = {
     "virtual certification": ("Model validation report", "simulated test"),
@@ -35,15 +34,6 @@ CALIBRATION = "calibration left, "
 """Begins the quantity of a precondition that stands in the table of equipment."""
 
 
-class LinkedDrawing(Struct, frozen=True):
-    """A figure with the key that links point to."""
-
-    key: str
-    name: str
-    svg: Drawing
-    criterion: str | None = None
-
-
 class NumberGroup(Struct, frozen=True):
     """Numbers that went in from one file: (name, value, confidence, number of the source)."""
 
@@ -51,37 +41,22 @@ class NumberGroup(Struct, frozen=True):
     rows: list[tuple[str, str, str, int]]
 
 
-class View(Struct, frozen=True, dict=True):
-    """A result, ready for every format.
-
-    Its figures are drawn when they are first asked for, and then kept: page and PDF show the same ones, and
-    text needs none.
+class View(ResultFigures, frozen=True, dict=True):
+    """A result, ready for every format; `ResultFigures` has its figures, and what they are drawn of.
 
     Parameters
     ----------
     document : Result
         As it was written.
-    result : Result
-        The same with its reasons in the language.
-    spoken : Language
-        The language of all words.
-    key : str
-        Part of ids in a page; differs among the results of a suite.
-    nearest_criterion : CriterionResult or None
-        Nearest to a limit, or furthest beyond it.
     pdf : bytes, optional
         Its certificate, where that was set before.
     """
 
     document: Result
-    result: Result
-    spoken: Language
-    key: str
     heading: str
     subject: str
     meaning: str
     tally: str
-    nearest_criterion: CriterionResult | None
     nearest: str
     nearest_words: str
     points: str
@@ -157,76 +132,6 @@ class View(Struct, frozen=True, dict=True):
             counts[parameter.confidence] += 1
         return [(word, count) for word, count in counts.items() if count]
 
-    @cached_property
-    def histories(self) -> list[LinkedDrawing]:
-        """Each channel over time."""
-        from certkit.reporting.charts.channel_history import history_chart  # noqa: PLC0415  # see the class
-
-        curves, t = self.result.curves, self.spoken.word
-        shown = ordered_channels(self.result) if curves and _drawable(self.result) else {}
-        return [self._linked(n, n, history_chart(curves, n, c, t=t), c) for n, c in shown.items() if curves]
-
-    @cached_property
-    def planes(self) -> list[LinkedDrawing]:
-        """Each criterion that is a curve in a plane."""
-        from certkit.reporting.charts.plane import plane_chart  # noqa: PLC0415  # likewise
-
-        return [
-            self._linked(figure_of(c), c.id, plane_chart(c.curve, c.title, t=self.spoken.word), c)
-            for c in self.result.criteria
-            if c.curve
-        ]
-
-    def _linked(self, figure: str, name: str, drawn: Drawing, of: CriterionResult | None) -> LinkedDrawing:
-        """Return a drawing under the address by which its criterion's row links to it."""
-        return LinkedDrawing(f"{self.key}-chart-{slug(figure)}", name, drawn, of.id if of else None)
-
-    @cached_property
-    def spark(self) -> Drawing | None:
-        """A small curve of the criterion nearest to a limit."""
-        from certkit.reporting.charts.spark import sparkline  # noqa: PLC0415  # likewise
-
-        return sparkline(self.result, self.nearest_criterion)
-
-    @cached_property
-    def frames(self) -> Drawing | None:
-        """The test at a few instants."""
-        from certkit.reporting.charts.motion_frames import frames_chart  # noqa: PLC0415  # likewise
-
-        motion = self.result.motion
-        return frames_chart(motion, t=self.spoken.word) if motion and motion.poses else None
-
-    @cached_property
-    def rig(self) -> Drawing | None:
-        """The rig as it stands in the laboratory."""
-        from certkit.reporting.charts.rig_drawing import rig_drawing  # noqa: PLC0415  # likewise
-
-        motion = self.result.motion
-        return rig_drawing(motion, t=self.spoken.word) if motion and motion.poses else None
-
-    @cached_property
-    def errors(self) -> Drawing | None:
-        """Peaks of test and simulation beside each other."""
-        from certkit.reporting.charts.error_bars import errors_chart  # noqa: PLC0415  # likewise
-
-        comparison = self.result.comparison
-        return errors_chart(comparison, t=self.spoken.word) if comparison and comparison.rows else None
-
-    @cached_property
-    def energies(self) -> Drawing | None:
-        """Energies over time."""
-        from certkit.reporting.charts.energies import energies_chart  # noqa: PLC0415  # likewise
-
-        drawn = self.result.energies
-        return energies_chart(drawn, t=self.spoken.word) if drawn else None
-
-    @cached_property
-    def front(self) -> FrontView | None:
-        """What a vehicle's front did."""
-        from certkit.reporting.vehicle_front_view import front_view  # noqa: PLC0415  # likewise
-
-        return front_view(self.result.front)
-
 
 def view(result: Result, *, suffix: str = "", spoken: str = ENGLISH) -> View:
     """Word a result in a language; `suffix` tells two results of one procedure apart."""
@@ -237,7 +142,7 @@ def view(result: Result, *, suffix: str = "", spoken: str = ENGLISH) -> View:
         result = with_titles(worded(result, spoken), chosen)
     key = slug(result.procedure) + suffix
     drawn = {figure_of(c) for c in result.criteria if c.curve}
-    drawn |= set(ordered_channels(result)) if _drawable(result) else set()
+    drawn |= set(ordered_channels(result)) if drawable(result) else set()
     sources = list(dict.fromkeys(c.source for c in result.criteria if c.source))
     number_sources = list(dict.fromkeys(p.source for p in result.parameters))
     nearest = worst(result)
@@ -273,11 +178,6 @@ def unique_views(results: Sequence[Result], spoken: str = ENGLISH) -> list[View]
         number = counts[result.procedure]
         views.append(view(result, suffix=f"-{number}" if number > 1 else "", spoken=spoken))
     return views
-
-
-def _drawable(result: Result) -> bool:
-    """Whether there are curves over time: one point is none."""
-    return result.curves is not None and result.curves.count > 1
 
 
 def _numbers(result: Result, sources: list[str]) -> list[NumberGroup]:
