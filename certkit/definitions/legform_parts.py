@@ -62,6 +62,25 @@ class Bone(Section):
         Field(description="To the next part below, where that is not the knee; rigid when missing."),
     ] = None
 
+    def spread_fault(self) -> str | None:
+        """Return why its mass cannot be a uniform bar of its size with masses at both ends, or None.
+
+        The bar and the ends meet mass, centre of gravity and inertia; none of them may be negative.
+        """
+        length, depth, centre = float(self.length), float(self.depth), float(self.centre_of_gravity)
+        mass, inertia = float(self.mass), float(self.inertia)
+        if not 0.0 < centre < length:
+            return "its centre of gravity has to lie between its ends"
+        below, nearer = length - centre, min(centre, length - centre)
+        bar = 2 * mass * nearer / length  # the heaviest: then one end carries nothing
+        whole = mass * centre * below  # all mass is at the ends
+        most_bar = bar * ((length**2 + depth**2) / 12 + (length / 2 - centre) ** 2) + (mass - bar) * nearer**2
+        least, most = sorted((most_bar, whole))
+        if least <= inertia <= most:
+            return None
+        bounds = f"from {least:.3g} to {most:.3g} kg·m²"
+        return f"with its mass, size and centre of gravity its inertia has to be {bounds}"
+
 
 class Ligament(Section):
     """A cable on a preloaded spring: it pulls and never pushes. Points are (x, z), femur side, tibia side."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
+from certkit.definitions.legform import Legform
 from certkit.definitions.loading.catalogue import catalogue
 from certkit.definitions.loading.cross_references import disagreements
 from certkit.definitions.loading.error_messages import suggestion
@@ -69,6 +70,18 @@ def _survey(found: Found, kind: Kind | None, library: Library) -> Surveyed:
         document = validate(tree, known.model, partial(check, library=library) if check else None)
     except DefinitionError as error:
         return found.file, error.problems
+    if isinstance(document, Legform):
+        return found.file, _unspread(document, tree)
     if not isinstance(document, Procedure):
         return found.file, []
     return found.file, disagreements(document, tree, library)
+
+
+def _unspread(legform: Legform, tree: Tree) -> list[Problem]:
+    """Return the parts of a legform whose mass no bar with masses at its ends has."""
+    faults = {part: bone.spread_fault() for part, bone in legform.parts.items()}
+    return [
+        tree.problem(("parts", part, "inertia"), f"{part}: {fault}")
+        for part, fault in faults.items()
+        if fault
+    ]

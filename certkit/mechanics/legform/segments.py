@@ -85,8 +85,7 @@ def bone_segments(part: str, bone: Bone, top: float) -> list[Segment]:
     if min(spread, upper, lower) < 0:
         raise RunError(
             f"no distribution of the {part}'s mass meets its centre of gravity and inertia "
-            f"(bar {spread:.3f} kg, ends {upper:.3f} and {lower:.3f} kg); "
-            "check `mass`, `centre of gravity` and `inertia`"
+            f"(bar {spread:.3f} kg, ends {upper:.3f} and {lower:.3f} kg): {bone.spread_fault()}"
         )
     n = bone.segments
     height, mass = length / n, spread / n

@@ -95,3 +95,15 @@ def test_a_file_of_no_kind_is_told_the_kinds(tmp_path: Path):
 def test_a_missing_file_is_a_problem_like_any_other(tmp_path: Path):
     (problem,) = survey(tmp_path / "nowhere.yaml")[1]
     assert problem.message == "does not exist"
+
+
+def test_a_bone_whose_mass_cannot_be_spread_is_found_before_it_runs(tmp_path: Path):
+    text = (
+        find(KINDS["legform"], "apli").data.decode().replace("inertia: 0.0325 kg·m²", "inertia: 0.01 kg·m²")
+    )
+    (tmp_path / "ours.yaml").write_text(text, encoding="utf-8")
+    (problem,) = survey(tmp_path / "ours.yaml")[1]
+    assert text.splitlines()[problem.line - 1].strip().startswith("inertia: 0.01")
+    assert problem.message.startswith(
+        "femur: with its mass, size and centre of gravity its inertia has to be from"
+    )

@@ -6,6 +6,8 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from certkit.definitions.legform_parts import FarFlesh
 from certkit.definitions.loading.library import load
@@ -83,8 +85,26 @@ def test_the_number_of_segments_changes_no_mass(legform: Legform):
 
 def test_an_inertia_no_bone_can_have_is_refused(legform: Legform):
     impossible = legform.parts["tibia"].model_copy(update={"inertia": 0.01})
-    with pytest.raises(RunError, match=r"no distribution of the tibia's mass"):
+    with pytest.raises(
+        RunError, match=r"no distribution of the tibia's mass .* has to be from 0\.0\d+ to 0\.\d+"
+    ):
         bone_segments("tibia", impossible, 0.0)
+
+
+@given(
+    length=st.floats(0.1, 0.5),
+    depth=st.floats(0.01, 0.4),
+    centre_of_gravity=st.floats(-0.1, 0.6),
+    inertia=st.floats(0.001, 0.5),
+    mass=st.floats(0.5, 12.0),
+)
+def test_a_bone_that_can_be_cut_is_told_from_one_that_cannot_by_its_definition(**numbers: float):
+    bone = load("legform", "flex-pli-gtr").document.parts["tibia"].model_copy(update=numbers)
+    try:
+        cut = bool(bone_segments("tibia", bone, 0.0))
+    except RunError:
+        cut = False
+    assert cut == (bone.spread_fault() is None)
 
 
 def test_flesh_on_both_sides_has_the_mass_of_the_flesh_and_stands_in_the_middle_of_each(legform: Legform):
