@@ -256,13 +256,9 @@ def _files_of(document: OutputDocument, old: Mapping[str, Any], folder: Path) ->
     if not folder.is_dir():
         return []
     stem = Path(document.file_name).stem
-    names = {document.file_name, *(f"{stem}.{ending}" for ending in ("html", "pdf", "xlsx", "pptx"))}
-    if stem == "result":
-        from certkit.reporting.report_format import FORMATS  # noqa: PLC0415  # only where there is an old result
+    from certkit.reporting.document_reports import report_files  # noqa: PLC0415  # only where a folder is there
 
-        names |= {str(import_module(module).FILE) for module in FORMATS.values()}
-    if stem == "campaign":
-        names |= {"campaign.csv", "junit.xml"}
+    names = {document.file_name, *report_files(document)}
     if stem == "extraction":
         names.add("vehicle.yaml")
     if stem in {"study", "optimum"}:

@@ -35,7 +35,10 @@ def figure(
     out: Annotated[
         Path | None,
         typer.Option(
-            "--out", help="File; each format adds its ending.", show_default="PROCEDURE-WHAT beside the JSON"
+            "--out",
+            metavar="FILE",
+            help="Each format adds its ending.",
+            show_default="PROCEDURE-WHAT beside the JSON",
         ),
     ] = None,
     unverified: options.Unverified = False,

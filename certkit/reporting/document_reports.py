@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from certkit.errors import UsageError
 from certkit.reporting.language_list import ENGLISH
-from certkit.reporting.report_format import FORMATS
+from certkit.reporting.report_format import FORMATS, report_format
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -97,6 +97,13 @@ REPORTS = {
     "certkit-twin/1": DocumentReport(_files("twin", html="twin_page:twin_page")),
     "certkit-round-robin/1": DocumentReport(_files("round-robin", html="round_robin_page:round_robin_page")),
 }
+
+
+def report_files(document: OutputDocument) -> set[str]:
+    """Return the names of all files that a document's reports can be, as far as they are known here."""
+    if document.schema_word() == "certkit-result/1":
+        return {report_format(name).FILE for name in FORMATS}
+    return {file for file, _ in REPORTS[document.schema_word()].formats.values() if file}
 
 
 def render_document(
