@@ -25,9 +25,11 @@ if TYPE_CHECKING:
     Values = NDArray[np.float64]
 
 FINEST = 0.02
-"""Outlines stand at least this share of the largest displacement of all faces apart: how far a face is pushed in
-is not told more finely. Told more finely, what a face does while it hardly moves is a jump, which the leg and the
-face answer with chatter."""
+"""Outlines stand at least this share of the largest displacement of all faces apart.
+
+How far a face is pushed in is not told more finely: what a face does while it hardly moves would be a jump,
+which the leg and the face answer with chatter.
+"""
 
 TOLERANCE = 3e-4
 """m: an outline is left out where its neighbours give every point of it nearer than this."""
