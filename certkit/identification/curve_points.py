@@ -19,7 +19,8 @@ def continued(law: SpringLaw) -> SpringLaw:
     """Continue both ends of the loading curve with the steepest secant stiffness that the side has shown.
 
     So a spring that has softened (a flange that buckled, a contact that slipped off) comes to an end beyond
-    what was seen, instead of letting its group fly.
+    what was seen, instead of letting its group fly. It is no stiffer there than where it unloads, as what
+    yields is never stiffer than what springs back: the steepest secant may be that of a first blow.
     """
     x, f = np.array(law.shortening), np.array(law.force)
     for sign in (1.0, -1.0):
@@ -29,7 +30,7 @@ def continued(law: SpringLaw) -> SpringLaw:
         secant = float(np.max(np.maximum(sign * f[side], 0.0) / (sign * x[side])))
         end = int(np.argmax(sign * x))
         further = (1 + BEYOND) * x[end]
-        force = f[end] + secant * (further - x[end])
+        force = f[end] + min(secant, law.branch.stiffness) * (further - x[end])
         place = x.size if sign > 0 else 0
         x, f = np.insert(x, place, further), np.insert(f, place, force)
     return replace(law, shortening=tuple(map(float, x)), force=tuple(map(float, f)))
