@@ -25,7 +25,11 @@ from certkit.bench.path_checks import path_checks
 from certkit.bench.setup import prepare
 from certkit.bench.tried_check import TITLES, tried
 from certkit.documents.self_check import SelfCheck
+from certkit.grading.front_limits import front_use
+from certkit.grading.quality_gate import grade_quality
+from certkit.grading.remarks import untrusted
 from certkit.identification.vehicle_file import vehicle_text
+from certkit.reporting.language import language
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -98,14 +102,16 @@ def self_checks(
         checks.append(tried("contact alone", axis, run.until, lambda: contact_alone(run, setup, nodes)))
     tell("self-check: leg and front")
     motions: list[FrontMotion | None] = [None]
+    beyond: list[str] = []
 
     def coupled() -> SelfCheck:
-        check, motions[0] = _coupled(run, setup)
+        check, motions[0], said = _coupled(run, setup)
+        beyond.extend(said)
         return check
 
     checks.append(tried("coupled", axis, run.until, coupled))
     warnings, notes = run.flight_remarks(setup.procedure, setup.legform)
-    return HeldToRun(tuple(checks), motions[0], tuple(warnings), tuple(notes))
+    return HeldToRun(tuple(checks), motions[0], (*warnings, *beyond), tuple(notes))
 
 
 def _front_alone(run: CheckedRun, setup: Setup) -> SelfCheck:
@@ -143,7 +149,8 @@ def _leg_alone(run: CheckedRun, setup: Setup) -> SelfCheck:
     )
 
 
-def _coupled(run: CheckedRun, setup: Setup) -> tuple[SelfCheck, FrontMotion | None]:
+def _coupled(run: CheckedRun, setup: Setup) -> tuple[SelfCheck, FrontMotion | None, list[str]]:
+    """Return the check, its frames, and which limits of a run that can be trusted it left."""
     from certkit.mechanics import simulate  # noqa: PLC0415  # a solver, only here
 
     done = simulate(setup.procedure, setup.legform, vehicle=setup.vehicle)
@@ -164,6 +171,7 @@ def _coupled(run: CheckedRun, setup: Setup) -> tuple[SelfCheck, FrontMotion | No
         for name, series in front.contact.series.items()
     }
     check = group_checks(run, "coupled", moved, forces)
+    quality = grade_quality(done.quality, front=front_use(front, setup.vehicle))
     recording = done.recording
     force = np.interp(run.time, run.start + recording.time, recording["contact force"].values, left=0.0)
     impulse = float(force.sum() * (run.time[1] - run.time[0]))
@@ -180,7 +188,10 @@ def _coupled(run: CheckedRun, setup: Setup) -> tuple[SelfCheck, FrontMotion | No
             "channels": channels,
             "paths": paths,
             "rebound_percent": error_percent(impactor.momentum[0] - impulse, left) if left != 0 else None,
+            "within": check.within and quality.verdict == "pass",
             **contact_figures(run, check.groups, force),
         }
     )
-    return whole, motion
+    sentence = language().sentence
+    said = [sentence(untrusted(found)) for found in quality.checks if found.verdict != "pass"]
+    return whole, motion, [f"{TITLES['coupled']}: {words}" for words in said]

@@ -48,7 +48,7 @@ def remarks(
     """
     said: list[Reason] = []
     if quality is not None:
-        said += [_untrusted(check) for check in quality.checks if check.verdict != "pass"]
+        said += [untrusted(check) for check in quality.checks if check.verdict != "pass"]
     said += [
         Reason.of("test-not-evaluated", reason=_reason(row))
         for row in preconditions
@@ -119,7 +119,8 @@ def _reason(row: PreconditionResult) -> Reason:
     return row.coded_reason or Reason.words(row.reason)
 
 
-def _untrusted(check: QualityCheck) -> Reason:
+def untrusted(check: QualityCheck) -> Reason:
+    """Say which limit a run left that cannot be trusted, and what to do."""
     title = check.coded_title or Reason.words(check.title)
     value, limit, unit = check.value, check.limit, check.unit
     if check.remedy is None:

@@ -63,3 +63,13 @@ def test_a_leg_of_another_weight_is_warned_of(tmp_path: Path) -> None:
     case.write_text(case.read_text().replace("13.314 kg", "13.0 kg"))
     warned = extract(case).warnings
     assert any("the run's impactor weighs 13 kg, the leg `fe-leg`" in warning for warning in warned)
+
+
+def test_a_coupled_run_beyond_its_limits_cannot_be_trusted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The same gate as of `certkit run`: here the flesh is pressed deeper than is allowed for once."""
+    monkeypatch.setattr("certkit.grading.quality_gate.FLESH_DEPTH_LIMIT", 10.0)
+    result = extract(FRONT / "case.yaml")
+    coupled = next(check for check in result.checks if check.id == "coupled")
+    assert coupled.within is False
+    said = "Leg and front together: The run cannot be trusted: flesh depth over its thickness"
+    assert any(warning.startswith(said) for warning in result.warnings)
