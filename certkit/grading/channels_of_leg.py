@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from certkit.grading.trace import EvaluationWindow
     from certkit.signals import Channel, Filtered
+    from certkit.signals.plausibility_motion import Products
 
 FILTER = "CFC 180"
 """Filter of the channels that are compared with their neighbours, that of all criteria."""
@@ -146,6 +147,22 @@ class LegChannels(Struct, frozen=True, dict=True):
     def _smooth(self, rows: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the half of `rows` that went through the filter."""
         return rows[len(self.channels) :]
+
+    @cached_property
+    def products(self) -> Products:
+        """Return the sums of products of all channels within the window, SI, by both their names.
+
+        They tell gauges that agree and lie on one line, which nearly all do, from those to look at.
+        """
+        after = self._smooth(self.after_rows)
+        rows = [dict(zip(self.channels, row, strict=True)) for row in (after @ after.T).tolist()]
+        return dict(zip(self.channels, rows, strict=True))
+
+    @cached_property
+    def means(self) -> dict[str, float]:
+        """Return the means within the window, SI; 0 where there is nothing."""
+        after = self._smooth(self.after_rows)
+        return self._by_channel(after.mean(axis=1) if after.shape[1] else None)
 
     def _by_channel(self, values: NDArray[np.float64] | None) -> dict[str, float]:
         if values is None:

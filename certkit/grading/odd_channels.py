@@ -8,7 +8,7 @@ import numpy as np
 
 from certkit.reasons import Reason
 from certkit.signals.noise import FREE_FLIGHT_NOISE
-from certkit.signals.plausibility_motion import off_the_line
+from certkit.signals.plausibility_motion import off_the_line, surely_on_the_line
 from certkit.signals.plausibility_rest import drift_until_peak, swing_at_rest
 
 if TYPE_CHECKING:
@@ -41,6 +41,8 @@ def patterns(leg: LegChannels, doubts: Mapping[str, Reason]) -> Iterator[Reason]
             three = (before, gauge, behind)
             if any(name in doubts for name in three) or not any(leg.blow_beside(name) for name in three):
                 continue
+            if surely_on_the_line(leg.products, *three):
+                continue  # the quick way out
             share = off_the_line(*(leg.after[name] for name in three))
             if share is not None:
                 yield Reason.of("moment-pattern", channel=gauge, others=[before, behind], share=share)

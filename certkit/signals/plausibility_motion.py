@@ -7,14 +7,19 @@ and run from contact on.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Iterable, Mapping, Sequence
+    from collections.abc import Collection, Iterable, Sequence
 
     from numpy.typing import NDArray
+
+Products = Mapping[str, Mapping[str, float]]
+"""Sums of the products of two channels' samples, by both their names."""
 
 MOVED = 0.10
 """Share of the amplitude class that the middle one of the neighbours has to reach for a blow to count (40
@@ -199,6 +204,14 @@ def turned_gauges(bone: Mapping[str, NDArray[np.float64]]) -> dict[str, float]:
     return found
 
 
+def surely_agree(names: Collection[str], products: Products, means: Mapping[str, float], count: int) -> bool:
+    """Tell by sums over `count` samples whether no gauge of a bone can be turned; False where it might be."""
+    moving = {n: products[n][n] - count * means[n] ** 2 for n in names}
+    if any(moved <= 1e-6 * products[n][n] for n, moved in moving.items()):
+        return False  # what hardly moves is lost in the rounding of the sums
+    return all(products[a][b] > count * means[a] * means[b] for a, b in combinations(names, 2))
+
+
 def moves_wrong_way(least: float, most: float, times: float) -> bool:
     """Tell whether a ligament that a blow lengthens is shortened instead, by its least and most, m."""
     return -least > SHORTENED and -least > times * max(most, 0.0)
@@ -248,3 +261,12 @@ def off_the_line(
         return None
     share = float(np.sqrt(((gauge - (before + behind) / 2) ** 2).mean())) / size
     return share if share > PATTERN else None
+
+
+def surely_on_the_line(products: Products, before: str, gauge: str, behind: str) -> bool:
+    """Tell by sums over the samples whether `off_the_line` finds nothing; False where it might."""
+    ends = products[before][before] + 2.0 * products[before][behind] + products[behind][behind]
+    off = products[gauge][gauge] - products[gauge][before] - products[gauge][behind] + 0.25 * ends
+    # The largest moment of the three is nowhere smaller than any one of them.
+    size = max(products[name][name] for name in (before, gauge, behind))
+    return off < (0.99 * PATTERN) ** 2 * size
