@@ -1,6 +1,8 @@
-"""What all definition documents share: words as keys, no unknown keys, and inherited origins."""
+"""What all definition documents share: words as keys, no unknown keys, and inherited origins.
 
-from __future__ import annotations
+Files of many fields have no `from __future__ import annotations`: it makes texts of annotations, and pydantic
+would compile each of them again, in every process.
+"""
 
 from typing import Annotated, Any, ClassVar, Self
 

@@ -1,7 +1,5 @@
 """The confirmation of a definition: a person held its numbers against a text that lay on the desk."""
 
-from __future__ import annotations
-
 import re
 from typing import Annotated, Literal, Self
 

@@ -1,7 +1,5 @@
 """Corridor sets: what a value or curve has to stay within, and the limits and scores of vehicle tests."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 from typing import Annotated, ClassVar, Self
 

@@ -1,7 +1,5 @@
 """The legform document: parts, knee, flesh and channels of one legform, each number with its origin."""
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Self
 
@@ -152,7 +150,7 @@ class Legform(Section):
             raise Faults(faults)
         return self
 
-    def _chain_faults(self) -> Iterator[Fault]:
+    def _chain_faults(self) -> "Iterator[Fault]":
         names = list(self.parts)
         for name in names:
             if name in {WHOLE, KNEE}:
@@ -171,7 +169,7 @@ class Legform(Section):
                 below = "nothing" if name == names[-1] else "the knee"
                 yield ("parts", name, "joint"), f"{below} is below `{name}`; leave the joint out"
 
-    def _channel_faults(self, channel: LegformChannel) -> Iterator[Fault]:
+    def _channel_faults(self, channel: LegformChannel) -> "Iterator[Fault]":
         """Yield what is wrong with the place that a channel names."""
         ligaments = self.knee.ligaments
         if channel.ligament is not None and channel.ligament not in ligaments:
@@ -188,7 +186,7 @@ class Legform(Section):
             said = f"is not on the {channel.part}, which reaches from {near:.6g} to {far:.6g} mm"
             yield ("from knee centre",), said
 
-    def _evaluation_faults(self) -> Iterator[Fault]:
+    def _evaluation_faults(self) -> "Iterator[Fault]":
         known = self.evaluation
         rig = [kind.name for kind in RIG_CHANNELS]
         lists: list[tuple[tuple[str, ...], list[str]]] = [

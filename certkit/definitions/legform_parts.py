@@ -1,7 +1,5 @@
 """Parts of a legform: bones, knee with ligaments and condyles, flesh; each number with its origin."""
 
-from __future__ import annotations
-
 from typing import Annotated, Self
 
 from pydantic import Field, field_validator, model_validator

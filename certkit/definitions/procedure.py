@@ -1,7 +1,5 @@
 """The procedure document: a test sheet with a rig's fixtures, its criteria and its preconditions."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
@@ -153,7 +151,7 @@ class Procedure(Section):
     origin_keys: ClassVar[frozenset[str]] = frozenset({"origin", "method"})
 
     @property
-    def test_kind(self) -> TestKind:
+    def test_kind(self) -> "TestKind":
         """Return `static`, `dynamic` or `flight`, as its rig's fixtures say."""
         return self.rig.test_kind
 

@@ -1,7 +1,5 @@
 """Scores of rating schemes: points for a value on a sliding scale, or by the band that it lies in."""
 
-from __future__ import annotations
-
 from typing import Annotated, Self
 
 from pydantic import Field, model_validator

@@ -2,7 +2,8 @@
 
 A document holds no objects, only words, numbers and lists, so that everything can be rendered from its JSON
 alone. A kind of document is a subclass of `OutputDocument` in a file of its own, and a line in
-`certkit.documents.document_kinds`.
+`certkit.documents.document_kinds`. For what its files do not import from `__future__` see
+`certkit.definitions.base`.
 """
 
 from __future__ import annotations

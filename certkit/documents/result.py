@@ -5,8 +5,6 @@ alone. Values stand in the unit named beside them, times in seconds. Fields may 
 meaning. Reasons stand as codes (`coded_reason`) beside their English words (`reason`), which no id covers.
 """
 
-from __future__ import annotations
-
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import AfterValidator, Field, model_validator

@@ -1,7 +1,5 @@
 """The moving picture of a test: what moves and what stands on the rig, where and when."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
