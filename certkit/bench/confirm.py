@@ -20,8 +20,8 @@ from certkit.definitions.confirmation import (
     ConfirmedNumber,
     ReadText,
     Signature,
-    confirmation_name,
 )
+from certkit.definitions.loading.confirmed import confirmation_name
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import Loaded, load, names
 from certkit.definitions.loading.lint import kind_in

@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from msgspec import Struct, ValidationError, convert
 
 from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.library import find, names
@@ -19,28 +19,25 @@ if TYPE_CHECKING:
     from certkit.definitions.loading.search_path import Found
 
 
-class AimedAt(BaseModel):
+class AimedAt(Struct, frozen=True):
     """A procedure, and what its values should come to."""
 
     procedure: str
     to: Literal["corridors", "reference", "recording"] = "corridors"
 
 
-class Bounds(BaseModel):
-    """A number that was free between bounds; of one procedure, or of the legform."""
-
-    model_config = ConfigDict(coerce_numbers_to_str=True)  # a bound without a unit is written as a number
+class Bounds(Struct, frozen=True):
+    """A number that was free between bounds, which are texts, or numbers as they were written."""
 
     path: str
+    lower: object
+    upper: object
     procedure: str | None = None
-    lower: str
-    upper: str
+    """None where it is of the legform."""
 
 
-class FitAims(BaseModel):
+class FitAims(Struct, frozen=True):
     """A fit of a legform; see `certkit.definitions.calibration.CalibrationTask`."""
-
-    model_config = ConfigDict(extra="ignore")
 
     fit: str
     legform: str
@@ -57,7 +54,7 @@ def known_fits(library: tuple[str, ...]) -> tuple[FitAims, ...]:
     found = []
     for name in names("fit", library):
         try:
-            found.append(FitAims.model_validate(_data(find(KINDS["fit"], name, library))))
+            found.append(convert(_data(find(KINDS["fit"], name, library)), FitAims))
         except (CertkitError, ValidationError):
             continue
     return tuple(found)
@@ -68,18 +65,18 @@ def corridor_sets(procedure: str, library: tuple[str, ...]) -> frozenset[str]:
     """Return the names of the corridor sets that a procedure grades by; none where it cannot be read."""
     try:
         data = _data(find(KINDS["procedure"], procedure, library))
-        return frozenset(_Graded.model_validate(data).sets())
+        return frozenset(convert(data, _Graded).sets())
     except (CertkitError, ValidationError):
         return frozenset()
 
 
-class _Criterion(BaseModel):
+class _Criterion(Struct):
     """Of a procedure's criterion, what it is held against: `set/entry`."""
 
     corridor: str | None = None
 
 
-class _Graded(BaseModel):
+class _Graded(Struct):
     """Of a procedure, its criteria."""
 
     criteria: list[_Criterion] = []

@@ -90,11 +90,11 @@ def _path(listed: str) -> str:
     return path if kind == "procedure" else f"{kind}.{path}" if colon else listed
 
 
-def _stands_on(value: str, lower: str, upper: str) -> bool:
+def _stands_on(value: str, *bounds: object) -> bool:
     """Tell whether a quantity is at one of its bounds; quantities that cannot be compared are not."""
     for dimension in UNITS:
         try:
-            at, low, high = (parse_quantity(text, dimension) for text in (value, lower, upper))
+            at, low, high = (parse_quantity(str(each), dimension) for each in (value, *bounds))
         except (ValueError, KeyError):
             continue
         near = ON_BOUND * (high - low)

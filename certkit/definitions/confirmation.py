@@ -76,8 +76,3 @@ class Confirmation(Document):
         second = number.countersigned
         also = f", countersigned by {second.by} on {second.day}" if second else ""
         return f"{self.text.title}{place}{file}; read by {number.by} on {number.day}{also}"
-
-
-def confirmation_name(kind: str, name: str) -> str:
-    """Return what the confirmation of a definition is called."""
-    return f"{kind}-{name}"

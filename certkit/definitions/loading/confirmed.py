@@ -17,6 +17,11 @@ if TYPE_CHECKING:
 D = TypeVar("D", bound=BaseModel)
 
 
+def confirmation_name(kind: str, name: str) -> str:
+    """Return what the confirmation of a definition is called."""
+    return f"{kind}-{name}"
+
+
 def with_confirmation(document: D, confirmation: Confirmation) -> tuple[D, list[str]]:
     """Give confirmed numbers the source that they were confirmed by.
 

@@ -16,8 +16,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 from pydantic import BaseModel
 
-from certkit.definitions.confirmation import confirmation_name
-from certkit.definitions.loading.confirmed import with_confirmation
+from certkit.definitions.loading.confirmed import confirmation_name, with_confirmation
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.kinds import KINDS, Kind, kind_of
 from certkit.definitions.loading.made_before import keep, with_made

@@ -13,8 +13,6 @@ from certkit.errors import RunError
 from certkit.mechanics.force_laws import LAWS
 from certkit.mechanics.force_laws.law import OutlinePiece
 from certkit.mechanics.rig.flesh_layer import flesh_layer, foam_layer
-from certkit.mechanics.rig.recorded_forces import press_on_leg
-from certkit.mechanics.rig.vehicle_front import build_front
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -169,10 +167,14 @@ class RigAssembly(RigBuilder):
 
     def add_recorded_forces(self, ground: float) -> None:
         """Press on the leg with the recorded contact forces."""
+        from certkit.mechanics.rig.recorded_forces import press_on_leg  # noqa: PLC0415  # only where there are some
+
         press_on_leg(self, self.assembly, self.driven, ground)
 
     def add_vehicle_front(self, ground: float, angle: float) -> None:
         """Put the procedure's vehicle where its front just touches the leg."""
+        from certkit.mechanics.rig.vehicle_front import build_front  # noqa: PLC0415  # only where one is hit
+
         if self.vehicle is None:
             raise RunError("free flight hits a vehicle; name one in the procedure")
         self.front = build_front(self, self.assembly, self.vehicle, ground, angle)
