@@ -1,16 +1,12 @@
 """What every corridor, limit and score of a set has: an origin, a note, and limits in order."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Annotated, ClassVar
+from typing import Annotated, ClassVar
 
 from pydantic import Field
 
 from certkit.definitions.base import Sourced
+from certkit.definitions.loading.faults import Fault
 from certkit.definitions.units import alike
-
-if TYPE_CHECKING:
-    from certkit.definitions.loading.faults import Fault
 
 
 class CorridorEntry(Sourced):

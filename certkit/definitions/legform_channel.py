@@ -1,20 +1,23 @@
 """The channels of a legform: what they measure, what they are called, and how a test of it is evaluated."""
 
-from __future__ import annotations
-
 import re
-from typing import TYPE_CHECKING, Annotated, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Section, Sourced
-from certkit.definitions.channels import ACCELERATION, ANGLE, DIMENSIONS, DISPLACEMENT, ELONGATION, MOMENT
+from certkit.definitions.channels import (
+    ACCELERATION,
+    ANGLE,
+    DIMENSIONS,
+    DISPLACEMENT,
+    ELONGATION,
+    MOMENT,
+    Dimension,
+)
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.provenance import Length
-
-if TYPE_CHECKING:
-    from certkit.definitions.channels import Dimension
 
 Measured = Literal["bending moment", "elongation", "acceleration", "bending angle", "shear displacement"]
 _DIMENSION: dict[str, Dimension] = {

@@ -5,8 +5,6 @@ was written in, its source and how far that source can be trusted. Code that cal
 float.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self, cast, get_args
 
@@ -75,7 +73,7 @@ class Number(float):
         number.text, number.source, number.confidence = text, source, confidence
         return number
 
-    def __reduce__(self) -> tuple[type[Number], tuple[float, str, str, str]]:
+    def __reduce__(self) -> "tuple[type[Number], tuple[float, str, str, str]]":
         """Pickle with the origin."""
         return (Number, (float(self), self.text, self.source, self.confidence))
 

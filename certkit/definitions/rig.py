@@ -1,16 +1,12 @@
 """The rig of a procedure: any combination of the fixtures in `certkit.definitions.fixtures`."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from pydantic import create_model
 
 from certkit.definitions.base import Section
 from certkit.definitions.fixtures import FIXTURES
-
-if TYPE_CHECKING:
-    from certkit.definitions.fixtures.fixture import Fixture, TestKind
+from certkit.definitions.fixtures.fixture import Fixture, TestKind
 
 F = TypeVar("F")
 

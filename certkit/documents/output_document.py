@@ -6,12 +6,12 @@ alone. A kind of document is a subclass of `OutputDocument` in a file of its own
 `certkit.definitions.base`.
 """
 
-from __future__ import annotations
-
 import hashlib
 import re
+from collections.abc import Iterable
 from functools import cache
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Self, get_args, get_origin
+from pathlib import Path
+from typing import Annotated, Any, ClassVar, Final, Self, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -22,10 +22,6 @@ from certkit.files.bounded import read_bounded
 from certkit.files.limits import MAX_DOCUMENT_BYTES, MAX_DOCUMENT_VALUES, MAX_DOCUMENT_WORDS
 from certkit.plain_text import odd_character_in_json
 from certkit.reasons import Reason
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-    from pathlib import Path
 
 NOT_IN_ID: Final = object()
 """Marks a field (`Annotated[…, NOT_IN_ID]`) that depends on clock or machine: no id covers it."""
