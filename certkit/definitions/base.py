@@ -4,6 +4,7 @@ Files of many fields have no `from __future__ import annotations`: it makes text
 would compile each of them again, in every process.
 """
 
+from functools import lru_cache
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
@@ -13,6 +14,7 @@ from certkit.definitions.loading.field_types import FieldType, fields
 from certkit.definitions.provenance import MIN_SOURCE, Confidence, Number, Origin, readable
 
 
+@lru_cache(maxsize=1024)
 def words(name: str) -> str:
     """Return the key that stands in YAML for a field's name: `added_mass` is written `added mass`."""
     return name.rstrip("_").replace("_", " ")

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from msgspec import Struct
 from msgspec.structs import replace
 
@@ -23,6 +22,7 @@ from certkit.signals.plausibility_record import BEGIN_TOLERANCE, edge_of_peak, l
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    import numpy as np
     from numpy.typing import NDArray
 
     from certkit.definitions.procedure import Criterion, Procedure
@@ -157,7 +157,7 @@ class _Peak(Struct, frozen=True):
         kind = recording.table.kinds.get(name)
         if kind is None or kind.amplitude_class is None:
             return None
-        contact = max(0, int(np.searchsorted(recording.time, 0.0, side="right")) - 1)
+        contact = max(0, int(recording.time.searchsorted(0.0, side="right")) - 1)
         values = self.filtered.values(name, self.criterion.filter)
         found = loaded_before(values, contact, abs(float(signed[index])), kind.amplitude_class)
         if found is None:

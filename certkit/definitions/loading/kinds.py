@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from importlib import import_module
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, cast
@@ -81,6 +82,7 @@ class Kind(Struct, frozen=True):
         return cast("Callable[..., Any]", _named(self.old_forms)) if self.old_forms else None
 
 
+@cache
 def _named(home: str) -> object:
     module, name = home.split(":")
     return getattr(import_module(f"certkit.definitions.{module}"), name)

@@ -122,7 +122,8 @@ def _new(steps: Steps, moves: Mapping[Steps, Steps]) -> Steps:
 def _today(path: str, moves: Mapping[Steps, Steps]) -> str | None:
     """Return today's path of an old one, or None."""
     flat = plain(path)
-    for old, new in sorted(moves.items(), key=lambda move: -len(move[0])):
+    near = [move for move in moves.items() if flat.startswith(plain(str(move[0][0])))]
+    for old, new in sorted(near, key=lambda move: -len(move[0])):
         start = ".".join(str(step + 1) if isinstance(step, int) else step for step in old)
         if flat == plain(start) or flat.startswith(f"{plain(start)}."):
             return ".".join(str(step) for step in new) + flat[len(plain(start)) :]

@@ -155,15 +155,23 @@ def known_paths(data: Any, shape: FieldType, prefix: str = "") -> Iterator[str]:
         yield from known_paths(entry.value, entry.shape, path)
 
 
-def _below(data: Any, shape: FieldType) -> dict[str, _Entry]:  # noqa: ANN401  # raw YAML data
-    """Return what can be named below a value."""
+def _begins(path: str, name: str) -> bool:
+    """Tell whether a path goes on with a name; any path does where it is empty."""
+    word = plain(name)
+    return not path or path == word or path.startswith(f"{word}.")
+
+
+def _below(data: Any, shape: FieldType, path: str = "") -> dict[str, _Entry]:  # noqa: ANN401  # raw YAML data
+    """Return what can be named below a value, at least what a path that goes on so can mean."""
     if shape.model is not None:
         given = data if isinstance(data, dict) else {}
-        return {key: _Entry((key,), inner, given.get(key), key) for key, inner in fields(shape.model).items()}
+        known = {key: inner for key, inner in fields(shape.model).items() if _begins(path, key)}
+        return {key: _Entry((key,), inner, given.get(key), key) for key, inner in known.items()}
     if shape.item is None:
         return {}
     if isinstance(data, dict):
-        return {str(key): _Entry((key,), shape.item, value, str(key)) for key, value in data.items()}
+        meant = {str(key): (key, value) for key, value in data.items() if _begins(path, str(key))}
+        return {word: _Entry((key,), shape.item, value, word) for word, (key, value) in meant.items()}
     below: dict[str, _Entry] = {}
     for index, value in enumerate(data if isinstance(data, list) else ()):
         for entry_name, entry in _list_entries(index, value, shape):
@@ -200,9 +208,10 @@ def _find(path: str, data: Any, model: type[BaseModel]) -> _Spot:  # noqa: ANN40
     sourced: Steps | None = None
     numbered = False
     while rest:
-        below = _below(data, shape)
-        fitting = [name for name in below if rest == plain(name) or rest.startswith(f"{plain(name)}.")]
+        below = _below(data, shape, rest)
+        fitting = [name for name in below if _begins(rest, name)]
         if not fitting:
+            below = _below(data, shape)
             near = nearest(path, list(known_paths(top, FieldType("document", model=model))))
             there = [".".join([*words, name]) for name, entry in below.items() if not entry.numbered]
             hint = f"did you mean `{near}`?" if near else suggestion(path, there)
