@@ -3,8 +3,8 @@
 A group's contact force is divided among its nodes on the middle line by how deep each of them lies in the
 leg's flesh, p ∝ d·(1 + (d/t)²), with the depth d from the leg's axis nodes and the flesh's thickness t.
 Shells meet before their middle planes do: depths count from the deepest node's at first contact.
-Without axis nodes the whole force acts at the group's foremost node, without any node at the middle of its
-face.
+Nodes beyond the leg's ends meet nothing of it. Without axis nodes the whole force acts at the group's
+foremost node, without any node at the middle of its face.
 """
 
 from __future__ import annotations
@@ -29,6 +29,13 @@ AXIS = "leg_axis"
 
 FIRST = 1e-4
 """Share of the whole impulse that tells the first contact."""
+
+
+FAR = 1.0
+"""m: by this less deep counts what is beyond an end of the leg, so that it is met where nothing else is."""
+
+END = 1e-3
+"""m: how far from its ends a force acts on the leg at least."""
 
 
 def recorded_forces(
@@ -69,7 +76,8 @@ def recorded_forces(
         shares = _foremost(places) if axis is None else _by_depth(places, axis, surface, thickness)
         for place, share in zip(places, shares, strict=True):
             if share.max() > 0:
-                height = np.interp(clock, motion.time, place[:, 1])
+                height = place[:, 1] if axis is None else _on_leg(place[:, 1], axis)
+                height = np.interp(clock, motion.time, height)
                 found.append(
                     RecordedForce(group.name, time, force * np.interp(clock, motion.time, share), height)
                 )
@@ -104,12 +112,28 @@ def _clearance(result: ExtractionResult, motion: NodeMotion, axis: Values, surfa
 def _by_depth(places: Values, axis: Values, surface: float, thickness: float) -> Values:
     """Return each node's share of the force over time, shape (nodes, instants)."""
     depth = np.array([surface - _distance(node, axis) for node in places])
+    depth[~np.array([_beside(node, axis) for node in places])] -= FAR
     press = np.maximum(depth, 0.0)
     press = press * (1.0 + (press / thickness) ** 2)
     total = press.sum(axis=0)
     nearest = np.zeros_like(press)
     nearest[np.argmax(depth, axis=0), np.arange(press.shape[1])] = 1.0
     return np.asarray(np.where(total > 0, press / np.where(total > 0, total, 1.0), nearest))
+
+
+def _beside(node: Values, axis: Values) -> NDArray[np.bool_]:
+    """Tell whether a node is beside the leg's axis, not beyond one of its ends, shape (instants,)."""
+    low, high = axis[0], axis[-1]
+    return np.asarray(
+        (np.einsum("tj,tj->t", node - low, axis[1] - low) >= 0)
+        & (np.einsum("tj,tj->t", node - high, axis[-2] - high) >= 0)
+    )
+
+
+def _on_leg(height: Values, axis: Values) -> Values:
+    """Return a height that is on the leg, shape (instants,)."""
+    low, high = axis[0, :, 1] + END, axis[-1, :, 1] - END
+    return np.clip(height, low, high)
 
 
 def _distance(node: Values, axis: Values) -> Values:

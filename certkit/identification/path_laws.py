@@ -80,7 +80,7 @@ def _sheet(flow: Flow, fit: SpringFit | None, steps: FirstSteps) -> SheetLaw | N
         return None
     kinds = {steps.case.groups[end].kind for end in (link.source, link.target)}
     one_sheet = link.tension and len(kinds) == 1 and kinds <= SHEETS
-    if not one_sheet and (fit is None or _is_spring(fit, tension=link.tension)):
+    if not one_sheet and fit is not None and _is_spring(fit, tension=link.tension):
         return None
     if not one_sheet and not link.tension and not _of_a_sheet(flow, steps):
         return None

@@ -123,3 +123,18 @@ def test_a_run_towards_minus_x_is_refused_with_what_to_turn(tmp_path: Path) -> N
         change(tmp_path / f"{name}.csv", turned)
     with pytest.raises(DataError, match="the impactor `leg` moves towards -x"):
         extracted(case, tmp_path)
+
+
+def test_a_fascia_that_is_pushed_along_by_what_it_slides_on_has_a_path_though_it_never_comes_nearer(
+    tmp_path: Path,
+) -> None:
+    case = copied(tmp_path)
+    face, behind = "F2_lower_grille__frontx_mm", "E1_lower_stiffener__cgx_mm"
+    change(
+        tmp_path / "vehicle_groups.csv",
+        lambda rows: [{**row, face: f"{0.9 * float(row[behind]):.9g}"} for row in rows],
+    )
+    path = next(p for p in extracted(case, tmp_path).paths if p.name == "F2 – E1")
+    assert max(path.shortening) < 1e-6
+    assert path.sheet is not None
+    assert max(path.sheet.force) > 1000.0
