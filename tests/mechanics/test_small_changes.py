@@ -1,4 +1,4 @@
-"""Small changes of a flight change little of what the leg feels: no front has a second way that chance may take."""
+"""Small changes of a flight change little of what the leg feels: no front leaves a choice to chance."""
 
 from __future__ import annotations
 
