@@ -236,9 +236,11 @@ def check_size(content: str | bytes, name: str) -> None:
             "; make it again with less data"
         )
     data = content.encode() if isinstance(content, str) else content
-    values = sum(data.count(each) for each in (b",", b"[", b"{"))
+    mappings = data.count(b"{")
+    values = data.count(b",") + data.count(b"[") + mappings
     numbers = data.translate(_DIGITS).count(b",0")
-    if values > MAX_DOCUMENT_VALUES or values - numbers > MAX_DOCUMENT_WORDS:
+    # A mapping takes the memory of two words, and more where each is told as a fault.
+    if values > MAX_DOCUMENT_VALUES or values + mappings - numbers > MAX_DOCUMENT_WORDS:
         raise DataError(
             f"{name}: more values than a document can have ({MAX_DOCUMENT_VALUES})"
             "; make it again with less data"

@@ -50,6 +50,7 @@ MAX_DOCUMENT_BYTES = 48 * MEGABYTE
 MAX_DOCUMENT_VALUES = 800_000
 MAX_DOCUMENT_WORDS = 400_000
 """Commas and opening brackets in a document, all and those with no number behind: it cannot have more values.
+Of the latter a mapping counts twice.
 A certificate of a simulated test has 130,000. To tell what is wrong with a value takes 600 bytes."""
 
 MAX_CARRIED_VALUES = 700_000

@@ -153,7 +153,7 @@ REPORTED: tuple[Callable[[Path], Path], ...] = (
     document("numbers", lambda: '"notes": [' + "0," * 20_000_000 + "0]"),
     document("few_numbers", lambda: '"notes": [' + "0," * 790_000 + "0]"),
     document("lists", lambda: '"notes": [' + "[]," * 190_000 + "[]]"),
-    document("mappings", lambda: '"notes": [' + '{"a":1},' * 190_000 + "[]]"),
+    document("mappings", lambda: '"notes": [' + '{"a":1},' * 130_000 + "[]]"),
     document("words", lambda: '"notes": [' + '"ab",' * 390_000 + '"ab"]'),
     document("depth", lambda: '"notes": ' + "[" * 3_000_000),
     document("one_word", lambda: '"title": "' + "😀" * 11_000_000 + '"'),
