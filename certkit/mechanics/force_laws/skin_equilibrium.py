@@ -58,6 +58,7 @@ class SkinStrip(Protocol):
     pivot: State
     right: State
     coupled: State
+    left: State
 
 
 @compiled
@@ -79,8 +80,9 @@ def link_below(strips: Rows[SkinStrip], k: int) -> tuple[float, float, float]:
     """Return what the strip at a place of the chain hands on to the next one; see `handed_on`."""
     one, two = strips[strips[k].chain], strips[strips[k + 1].chain]
     part = min(one.grip, two.grip)
+    shear = part * 0.5 * (one.left + two.left) * one.shear
     distance = max(one.z - two.z, 0.5 * (one.size + two.size))
-    return handed_on(one.pressed - two.pressed, distance, part * one.shear, part * one.skin)
+    return handed_on(one.pressed - two.pressed, distance, shear, part * one.skin)
 
 
 @compiled

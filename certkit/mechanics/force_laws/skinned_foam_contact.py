@@ -29,6 +29,7 @@ from certkit.mechanics.force_laws.face_contact import (
     push_back,
     untilted_piece_at,
 )
+from certkit.mechanics.force_laws.foam_layer import left_by_memory
 from certkit.mechanics.force_laws.folding_strip import move_strip, seen_height, sort_by_height
 from certkit.mechanics.force_laws.law import ForceLaw, Instant, Load, Totals
 from certkit.mechanics.force_laws.leg_outline import surface_at
@@ -170,6 +171,8 @@ class SkinnedFoamContact(ForceLaw, kw_only=True):
         Derivative of the foam's energy by the cosine, J.
     leaned, gripped : State
         Cosine, and what the leg's ends and tilt leave, a step ago.
+    left : State
+        m, see `foam_layer`: what the foam's memory leaves of its shear; of the last step.
     apart, parting : State
         How far the lower group stands before the upper one, and by how much more than a step ago, m.
     largest, x, z, face, shift, climb : State
@@ -234,6 +237,7 @@ class SkinnedFoamContact(ForceLaw, kw_only=True):
     by_cosine: State = 0.0
     leaned: State = 1.0
     gripped: State = 0.0
+    left: State = 1.0
     piece: int = 0
     held: int = 0
     chain: int = 0
@@ -260,6 +264,7 @@ class SkinnedFoamContact(ForceLaw, kw_only=True):
             strip = strips[strips[k].chain]
             press, _, stored, work = foam_of(strip, now)
             remember(strip, work)
+            strip.left = left_by_memory(work, strip.most, strip.hysteresis, strip.shape)
             by_cosine = (press * strip.pressed - stored) / strip.cosine
             by_height = _load_leg(strip, now, load, totals, stored, by_cosine)
             # What the leg's turning and ends take from the foam is no loss.

@@ -1,7 +1,8 @@
 """What joins two segments of a leg: a bone's own spring, a joint between two parts, or a rigid connection.
 
 Within a bone the stiffness is k = EI·n/L (bending stiffness EI, n segments over the length L), at the knee
-block times the bone's `block joint`; its damping is k·(damping time).
+block times the bone's `block joint`; its damping is k·(damping time). Where the bone's damper lies beside its
+core, the spring that the gauges feel has none, and a second one has nothing else.
 """
 
 from __future__ import annotations
@@ -33,6 +34,23 @@ def jointed_bone(legform: Legform, upper: str, lower: str) -> tuple[Bone, float]
     return bone, 1.0 if upper == lower or bone.block_joint is None else float(bone.block_joint)
 
 
+def damper_beside(legform: Legform, bodies: tuple[int, int], upper: str, lower: str) -> JointSpring | None:
+    """Return the damper that no gauge feels, None where the joint has none."""
+    if part_joint(legform, upper, lower) is not None:
+        return None
+    bone, factor = jointed_bone(legform, upper, lower)
+    if bone.damper == "in the core":
+        return None
+    return JointSpring(
+        upper=bodies[0],
+        lower=bodies[1],
+        stiffness=0.0,
+        damping=factor * bone.bending_stiffness * bone.segments / bone.length * bone.damping_time,
+        cable_angle=math.pi,
+        cable_stiffness=0.0,
+    )
+
+
 def joint_spring(legform: Legform, bodies: tuple[int, int], upper: str, lower: str) -> JointSpring:
     """Return the rotational spring between two bodies, segments of these parts."""
     joint = part_joint(legform, upper, lower)
@@ -51,7 +69,7 @@ def joint_spring(legform: Legform, bodies: tuple[int, int], upper: str, lower: s
         upper=bodies[0],
         lower=bodies[1],
         stiffness=stiffness,
-        damping=stiffness * bone.damping_time,
+        damping=stiffness * bone.damping_time if bone.damper == "in the core" else 0.0,
         cable_angle=math.pi if bone.cable_angle is None else bone.cable_angle,
         cable_stiffness=0.0 if bone.cable_stiffness is None else bone.cable_stiffness,
     )

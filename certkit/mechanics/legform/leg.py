@@ -9,11 +9,17 @@ from msgspec import Struct
 
 from certkit.definitions.legform import KNEE
 from certkit.mechanics.force_laws.flesh_suspension import FleshSuspension
-from certkit.mechanics.force_laws.joint_spring import JointSpring
 from certkit.mechanics.force_laws.ligament_cable import LigamentCable
-from certkit.mechanics.legform.bone_joint import is_rigid, joint_spring, jointed_bone, part_joint
+from certkit.mechanics.legform.bone_joint import (
+    damper_beside,
+    is_rigid,
+    joint_spring,
+    jointed_bone,
+    part_joint,
+)
 from certkit.mechanics.legform.knee import join_knee
 from certkit.mechanics.legform.segments import assembled
+from certkit.mechanics.legform.sleeve import add_sleeve
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -96,10 +102,13 @@ def add_leg(
         part = lower.part if upper.part == KNEE else upper.part
         row = assembly.add(joint_spring(legform, (a, b), upper.part, lower.part))
         joints.append(Joint(row, upper.bottom, part))
-        sleeve = flesh and legform.flesh.bending_stiffness is not None
-        if sleeve and part_joint(legform, upper.part, lower.part) is None:
+        damper = damper_beside(legform, (a, b), upper.part, lower.part)
+        if damper is not None:
+            assembly.add(damper)
+        if flesh and part_joint(legform, upper.part, lower.part) is None:
             bone, factor = jointed_bone(legform, upper.part, lower.part)
-            _add_sleeve(assembly, legform.flesh, a, b, factor * bone.segments / bone.length)
+            face = upper.depth / 2 if upper.part != KNEE else lower.depth / 2
+            add_sleeve(assembly, legform.flesh, (a, b), factor * bone.segments / bone.length, face)
     return Leg(
         segments=tuple(segments),
         bodies=bodies,
@@ -143,21 +152,6 @@ def _rigid_runs(legform: Legform, segments: Sequence[Segment]) -> list[list[Segm
     return runs
 
 
-def _add_sleeve(assembly: Assembly, flesh: Flesh, upper: int, lower: int, curvature: float) -> None:
-    """Let the sleeve bend beside a bone's joint, `curvature` (1/m) for an angle of one; no gauge feels it."""
-    stiffness = curvature * (flesh.bending_stiffness or 0.0)
-    assembly.add(
-        JointSpring(
-            upper=upper,
-            lower=lower,
-            stiffness=stiffness,
-            damping=stiffness * (flesh.damping_time or 0.0),
-            cable_angle=math.pi,
-            cable_stiffness=0.0,
-        )
-    )
-
-
 def _suspension(
     bone: int, body: int, place: tuple[float, float], mass: float, flesh: Flesh | FarFlesh
 ) -> FleshSuspension:
@@ -175,6 +169,15 @@ def _suspension(
     )
 
 
+def _far_masses(flesh: Flesh, segments: Sequence[Segment]) -> list[float]:
+    """Return the mass behind each segment: evenly along the leg, less or none where the knee is left open."""
+    if flesh.far_side is None:
+        return [0.0] * len(segments)
+    knee = 1.0 if flesh.far_side.at_knee is None else float(flesh.far_side.at_knee)
+    lengths = [segment.length * (knee if segment.is_knee else 1.0) for segment in segments]
+    return [flesh.mass * flesh.far_side.share * length / sum(lengths) for length in lengths]
+
+
 def _add_flesh(
     assembly: Assembly,
     legform: Legform,
@@ -185,6 +188,7 @@ def _add_flesh(
     """Put one mass on each segment, spread evenly over the leg's length, and tie neighbours together."""
     flesh = legform.flesh
     total = sum(segment.length for segment in segments)
+    behind = _far_masses(flesh, segments)
     masses = []
     heights = []
     for i, (segment, bone, centre) in enumerate(zip(segments, bodies, centres, strict=True)):
@@ -195,8 +199,9 @@ def _add_flesh(
             face = segment.depth / 2 if flesh.face is None else float(flesh.face)
             offset = face + flesh.thickness / 2
             place = (-offset, height, 0.0)
-            body = assembly.add_body(f"far flesh {i + 1}", mass * far.share, 0.0, place)
-            assembly.add(_suspension(bone, body, (-offset, height - centre), mass * far.share, far))
+            if behind[i] > 0.0:
+                body = assembly.add_body(f"far flesh {i + 1}", behind[i], 0.0, place)
+                assembly.add(_suspension(bone, body, (-offset, height - centre), behind[i], far))
             mass *= 1 - far.share
         body = assembly.add_body(f"flesh {i + 1}", mass, 0.0, (offset, height, 0.0))
         assembly.add(_suspension(bone, body, (offset, height - centre), mass, flesh))

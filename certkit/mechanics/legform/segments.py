@@ -51,11 +51,12 @@ class Segment(Struct, frozen=True):
         """Return the height of the segment."""
         return self.top - self.bottom
 
-    def with_mass(self, mass: float, height: float) -> Segment:
-        """Return the segment with a point mass fixed to it."""
+    def with_mass(self, mass: float, height: float, own_inertia: float = 0.0) -> Segment:
+        """Return the segment with a mass fixed to it, with an inertia about its own centre of gravity."""
         both = self.mass + mass
         centre = (self.mass * self.centre + mass * height) / both
         inertia = self.inertia + self.mass * (self.centre - centre) ** 2 + mass * (height - centre) ** 2
+        inertia += own_inertia
         return replace(self, mass=both, centre=centre, inertia=inertia)
 
 

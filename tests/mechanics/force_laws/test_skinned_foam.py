@@ -165,6 +165,15 @@ def test_what_foam_gives_back_is_the_closed_form_of_its_memory() -> None:
     assert (speed[-10] / speed[10]) ** 2 == pytest.approx(returned, rel=0.01)
 
 
+def test_a_crest_gets_back_the_same_share_since_foam_that_springs_back_is_softer_in_shear_too() -> None:
+    hysteresis, shape = 0.35, 5.0
+    run = struck(row(0.002, crest=1.0), until=0.04, shear=800.0, hysteresis=hysteresis, shape=shape)
+    speed = np.gradient(run.tracks[:, 0, 0], STEP)
+    returned = hysteresis + (1 - hysteresis) / (shape + 1)
+    assert speed[-10] < 0
+    assert (speed[-10] / speed[10]) ** 2 == pytest.approx(returned, rel=0.02)
+
+
 def test_an_elastic_foam_loses_nothing_while_the_leg_turns() -> None:
     strips = [(0.002 + 0.002 * math.sin(40 * z), z, h) for _, z, h in row(0.006, 0.1)]
     run = struck(strips, spin=6.0, shear=675.0, skin=2700.0, until=0.01)

@@ -134,3 +134,22 @@ def test_flesh_on_both_sides_has_the_mass_of_the_flesh_and_stands_in_the_middle_
     assert places == [
         pytest.approx((depth + legform.flesh.thickness) / 2) for depth in sorted({s.depth for s in segments})
     ]
+
+
+def test_flesh_that_is_open_at_the_knee_lies_behind_the_bones_alone():
+    leg = load("legform", "fe-leg").document
+    far = leg.flesh.far_side.model_copy(update={"at_knee": 0.0})
+    opened = leg.model_copy(update={"flesh": leg.flesh.model_copy(update={"far_side": far})})
+    masses = []
+    for each in (opened, leg):
+        assembly = Assembly()
+        segments = leg_segments(each)
+        add_leg(assembly, each, segments, flesh=True)
+        world = assembly.finish()
+        masses.append(dict(zip(world.names, world.mass, strict=True)))
+    knee = {f"far flesh {i + 1}" for i, segment in enumerate(segments) if segment.is_knee}
+    assert not knee & masses[0].keys()
+    assert knee <= masses[1].keys()
+    for found in masses:
+        behind = sum(mass for name, mass in found.items() if name.startswith("far"))
+        assert behind == pytest.approx(leg.flesh.mass * leg.flesh.far_side.share)
