@@ -31,6 +31,9 @@ FIRST = 1e-4
 """Share of the whole impulse that tells the first contact."""
 
 
+ONE = 1e-4
+"""m: nodes of the axis that ever come nearer to each other than this are one."""
+
 FAR = 1.0
 """m: by this less deep counts what is beyond an end of the leg, so that it is met where nothing else is."""
 
@@ -85,9 +88,16 @@ def recorded_forces(
 
 
 def axis_nodes(motion: NodeMotion) -> Values | None:
-    """Return the places of the leg's axis nodes from bottom to top, shape (nodes, instants, 2)."""
+    """Return the places of the leg's axis nodes from bottom to top, shape (nodes, instants, 2).
+
+    Of nodes that lie on one another, as where two pieces of the leg meet, one is taken.
+    """
     nodes = [p for line, places in motion.places.items() if line.startswith(AXIS) for p in places.values()]
-    return np.array(sorted(nodes, key=lambda p: p[0, 1])) if len(nodes) > 1 else None
+    kept: list[Values] = []
+    for node in sorted(nodes, key=lambda p: p[0, 1]):
+        if not kept or float(np.linalg.norm(node - kept[-1], axis=1).min()) > ONE:
+            kept.append(node)
+    return np.array(kept) if len(kept) > 1 else None
 
 
 def _foremost(places: Values) -> Values:
