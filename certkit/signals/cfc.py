@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.definitions.filters import FILTERS
 from certkit.reasons import Reason, UnusableError
 
 if TYPE_CHECKING:
@@ -49,6 +50,28 @@ def check_rate(interval: float, frequency_class: float) -> None:
             "export the channel at its full sampling rate",
             Reason.of("sampled-too-slowly", rate=rate, frequency_class=frequency_class, needed=needed),
         )
+
+
+def through_filter(words: str, values: NDArray[np.float64], interval: float) -> NDArray[np.float64]:
+    """Filter samples as a filter's name says (`CFC 180`): whatever a filter has in `FILTERS` counts here.
+
+    Parameters
+    ----------
+    words : str
+    values : ndarray, shape (..., n)
+    interval : float
+        Sampling interval, s.
+
+    Returns
+    -------
+    ndarray, shape (..., n)
+
+    Raises
+    ------
+    UnusableError
+        As `cfc` says.
+    """
+    return cfc(values, interval, FILTERS[words].frequency_class)
 
 
 def cfc(values: NDArray[np.float64], interval: float, frequency_class: float) -> NDArray[np.float64]:

@@ -10,7 +10,7 @@ import numpy as np
 from certkit.definitions.filters import FILTERS
 from certkit.errors import DataError
 from certkit.reasons import Reason, UnusableError, reason_of
-from certkit.signals.cfc import cfc
+from certkit.signals.cfc import through_filter
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -42,7 +42,7 @@ class Filtered:
             if channel is not None and needs_filter(channel, words) and name in self.finite:
                 together.setdefault(words, []).append(channel)
         for words, channels in together.items():
-            rows = _through(words, np.stack([c.values for c in channels]), recording.interval)
+            rows = through_filter(words, np.stack([c.values for c in channels]), recording.interval)
             self._kept |= {(c.name, words): row for c, row in zip(channels, rows, strict=True)}
 
     @cached_property
@@ -105,18 +105,13 @@ class Filtered:
             self._kept[key] = channel.values
             return channel.values
         try:
-            self._kept[key] = _through(words, channel.values, self.recording.interval)
+            self._kept[key] = through_filter(words, channel.values, self.recording.interval)
         except DataError as error:
             raise UnusableError(
                 f"channel `{name}`: {error}",
                 Reason.of("channel-unusable", channel=name, reason=reason_of(error)),
             ) from error
         return self._kept[key]
-
-
-def _through(words: str, values: NDArray[np.float64], interval: float) -> NDArray[np.float64]:
-    """Filter samples, shape (…, n), that are an interval (s) apart."""
-    return cfc(values, interval, FILTERS[words].frequency_class)
 
 
 def needs_filter(channel: Channel, words: str) -> bool:
