@@ -9,7 +9,7 @@ from msgspec import Struct
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
-    from certkit.definitions.vehicle import Vehicle
+    from certkit.definitions.vehicle import FrontSheet, Vehicle
     from certkit.documents.result import Front
 
 RANGE = 1.001
@@ -80,12 +80,12 @@ def _most(percents: dict[str, float]) -> Use | None:
 
 
 def beyond_range(front: Front, vehicle: Vehicle) -> list[Reason]:
-    """Return a remark on springs that were shortened beyond what their curve is known for.
+    """Return remarks on springs and sheets that went beyond what their curve or path is known for.
 
     Parameters
     ----------
     front : Front
-        Force over shortening, mm, by the springs' names.
+        Force over shortening, mm, by the springs' names; displacements of the groups, mm.
     vehicle : Vehicle
         A curve is known up to the shortening that was `seen` in its extraction, else up to its last point.
     """
@@ -98,4 +98,18 @@ def beyond_range(front: Front, vehicle: Vehicle) -> list[Reason]:
         most = max((float(point[0]) for point in front.springs[name].points), default=0.0)
         if most > RANGE * last:
             said.append(Reason.of("spring-beyond-range", spring=name, shortening=most, last=last))
+    for name, sheet in vehicle.sheets.items():
+        last, most = 1e3 * float(sheet.path[-1][0]), _progress(front, sheet)
+        if most > RANGE * last:
+            said.append(Reason.of("sheet-beyond-path", sheet=name, progress=most, last=last))
     return said
+
+
+def _progress(front: Front, sheet: FrontSheet) -> float:
+    """Return how far both groups of a sheet were pushed in at most, in the mean, mm."""
+    moved = [
+        front.displacement.series[end].values for end in sheet.between if end in front.displacement.series
+    ]
+    if len(moved) < len(sheet.between):
+        return 0.0
+    return max((0.5 * (float(a) + float(b)) for a, b in zip(*moved, strict=True)), default=0.0)

@@ -3,8 +3,8 @@
 It is meant to be edited. The rules, each of which leaves its word in the proposal:
 
 - The part of the largest momentum at the start is the impactor.
-- A part with a face is fascia or, where its face lies along the car, hood; one without is engine
-  room.
+- A part with a face is fascia or, where its face lies along the car or its name says so, hood; one without is
+  engine room.
 - A contact or a spring to the ground lies at the parts whose names, or words of them, stand in its own name.
 - Faces next to each other in height pull on each other, since they are one sheet.
 - A path leads away from the impactor. A part without a known face that the impactor touches is fascia.
@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 
 ALONG = 2.0
 """dx/dz of a face beyond which it lies along the car: a grille leans at most so far."""
+
+HOOD = {"hood", "bonnet"}
+"""Words of a part's name that make it hood, however steep its edge is."""
 
 JOINED = 0.01
 """m: faces whose ends are nearer than this in height are next to each other."""
@@ -122,7 +125,7 @@ def _kind(part: str, impactor: str, faces: Mapping[str, Face]) -> str:
     face = faces.get(part)
     if face is None or face.low is None:
         return "engine room"
-    return "hood" if abs(face.slope or 0.0) > ALONG else "fascia"
+    return "hood" if abs(face.slope or 0.0) > ALONG or _words(part) & HOOD else "fascia"
 
 
 def _order(group: tuple[str, str], faces: Mapping[str, Face]) -> tuple[int, float]:

@@ -96,6 +96,17 @@ def test_an_extracted_spring_is_remarked_upon_beyond_what_was_seen_of_it():
     assert beyond_range(run(face=45.0, beam=5.0), seen) == []
 
 
+def test_a_sheet_is_remarked_upon_beyond_its_path():
+    path = [["0 mm", "0 mm", "0 N"], ["30 mm", "20 mm", "500 N"]]
+    sheet = {"between": ["face", "beam"], "path": path, "stiffness": "10 N/mm", "damping": "10 N·s/m"}
+    made_of = Vehicle.model_validate({**FRONT, "sheets": {"skin": sheet}})
+    said = beyond_range(run(face=58.0, beam=6.0), made_of)
+    assert [(r.code, r.parameters["progress"], r.parameters["last"]) for r in said] == [
+        ("sheet-beyond-path", 32.0, 30.0)
+    ]
+    assert beyond_range(run(face=54.0, beam=6.0), made_of) == []
+
+
 def test_room_is_a_length_above_zero():
     with pytest.raises(ValueError, match="no room, no travel"):
         made(groups={"beam": {"room": "0 mm"}})

@@ -49,6 +49,15 @@ def test_all_paths_are_found_but_those_that_no_name_tells() -> None:
     assert {"contact hood_fascia", "contact fascia_beam"} <= set(found.left_over)
 
 
+def test_a_steep_edge_that_is_called_a_hood_is_one() -> None:
+    case = load("case", EXAMPLES / "front1/case.yaml").document
+    data = read_case_data(case.histories, EXAMPLES / "front1")
+    steep = {name: replace(face, slope=0.5) for name, face in data.faces.items()}
+    found = propose(data.histories, steep)
+    assert {found.groups[name][0] for name in ("H1", "H2")} == {"hood"}
+    assert ("F7", "H1") not in [path.between for path in found.paths]
+
+
 def bumper(**momenta: float) -> PartHistories:
     still = np.zeros_like(TIME)
     return PartHistories(
