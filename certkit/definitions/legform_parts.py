@@ -187,6 +187,13 @@ class FleshFoam(Section):
             "and skin bend beside the bones, and no gauge feels them."
         ),
     ] = None
+    element: Annotated[
+        Length | None,
+        Field(
+            description="Length of a finite-element leg's elements along it: it meets faces in strips as "
+            "long, since no dent in them is sharper."
+        ),
+    ] = None
     shear_modulus: Annotated[Pressure, Field(description="By which places take their surroundings along.")]
     skin_modulus: Annotated[Pressure, Field(description="Young's modulus of the skin.")]
     skin_thickness: Length
@@ -204,6 +211,8 @@ class FleshFoam(Section):
             slope = f"{self.first_modulus * 1e-6:.4g} MPa"
             message = f"`elastic modulus` has to be more than the curve's first slope, {slope}"
             raise Faults([(("elastic_modulus",), message)])
+        if self.element is not None and not 2e-3 <= float(self.element) <= 0.05:
+            raise Faults([(("element",), "an element of a leg's foam is 2 to 50 mm long")])
         if not 0.0 <= self.hysteresis <= 1.0:
             raise Faults([(("hysteresis",), "the share that is left is from 0 to 1")])
         if self.shape <= 0.0:

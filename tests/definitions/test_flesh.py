@@ -22,6 +22,12 @@ def test_foam_springs_back_no_softer_than_it_was_pressed():
         certkit.run("pendulum", overrides=change)
 
 
+def test_an_element_of_foam_is_a_piece_of_a_leg():
+    change = {"legform": "fe-leg", "legform.flesh.foam.element": "0.2 mm"}
+    with pytest.raises(DefinitionError, match="an element of a leg's foam is 2 to 50 mm long"):
+        certkit.run("pendulum", overrides=change)
+
+
 def test_a_sleeve_bends_by_its_foam_or_by_a_stiffness_of_its_own():
     change = {"legform": "fe-leg", "legform.flesh.bending stiffness": "9 N·m²"}
     with pytest.raises(DefinitionError, match="leave one of them out"):

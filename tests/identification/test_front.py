@@ -113,7 +113,9 @@ def test_the_contact_alone_is_held_to_the_run_where_leg_and_front_move_as_in_it(
     assert {g.name for g in contact.groups if g.force_rms_percent is not None} == FACES
     assert max(g.rms_percent for g in contact.groups) < 0.1
     assert contact.wrong_group_percent is not None
-    assert contact.wrong_group_percent < 18
+    assert contact.wrong_group_percent < 12
+    assert contact.force_percent == pytest.approx(0, abs=10)
+    assert contact.impulse_percent == pytest.approx(0, abs=8)
 
 
 def test_each_group_takes_its_own_impulse(checks: dict[str, SelfCheck]) -> None:

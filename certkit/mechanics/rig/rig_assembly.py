@@ -177,7 +177,9 @@ class RigAssembly(RigBuilder):
 
         if self.vehicle is None:
             raise RunError("free flight hits a vehicle; name one in the procedure")
-        self.front = build_front(self, self.assembly, self.vehicle, ground, angle)
+        foam = self.legform.flesh.foam
+        longest = None if foam is None or foam.element is None or self.cover == 0 else float(foam.element)
+        self.front = build_front(self, self.assembly, self.vehicle, ground, angle, longest)
 
     def draw(self, name: str, kind: Drawn, outline: Polygon, *, note: str = "", body: int = GROUND) -> None:
         """Draw an outline: of a moving body in the body's axes, of what never moves in space."""

@@ -41,14 +41,20 @@ class _Front(NamedTuple):
 
 
 def build_front(
-    rig: RigBuilder, assembly: Assembly, vehicle: Vehicle, ground: float, angle: float
+    rig: RigBuilder,
+    assembly: Assembly,
+    vehicle: Vehicle,
+    ground: float,
+    angle: float,
+    longest: float | None = None,
 ) -> FrontModel:
     """Build a vehicle's front where it just touches the leg; return what was built.
 
-    The leg has been turned and thrown already; see `RigBuilder.add_vehicle_front`.
+    The leg has been turned and thrown already; see `RigBuilder.add_vehicle_front`. Faces are met
+    in strips of a length (m) at most, their own where none is given.
     """
-    folding = outline_strips(vehicle, ground)
-    strips = [] if folding else face_strips(vehicle, ground)
+    folding = outline_strips(vehicle, ground, longest)
+    strips = [] if folding else face_strips(vehicle, ground, longest)
     start = _touching(rig, [(s.x, s.z) for s in strips] + [s.start for s in folding], angle)
     bodies, links = add_groups(assembly, vehicle, ground)
     front = _Front(bodies, float(vehicle.friction or 0.0), rig.foam_layer())
