@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeVar
+
+from msgspec import field
 
 from certkit.definitions.fixtures.rig_builder import GRAVITY, GROUND, LawRow, RigBuilder
 from certkit.definitions.fixtures.rig_outlines import PLATE, box, disc
@@ -35,8 +36,7 @@ PIN_RADIUS = 0.012
 """m, of a pin; it is drawn only."""
 
 
-@dataclass(kw_only=True)
-class RigAssembly(RigBuilder):
+class RigAssembly(RigBuilder, kw_only=True):
     """A rig under construction in a world of bodies and force laws.
 
     Parameters
