@@ -143,3 +143,10 @@ def test_replacing_leaves_nothing_odd():
     assert odd_character(without_odd_characters(everything)) is None
     with pytest.raises(DefinitionError):
         read_tree(b"\x00", "x.yaml")
+
+
+def test_every_character_that_is_replaced_is_found():
+    texts = [f"a{chr(code)}" for code in range(0x10000)]
+    assert [
+        text for text in texts if (odd_character(text) is None) != (without_odd_characters(text) == text)
+    ] == []
