@@ -105,7 +105,8 @@ def find_clippings(
     of = [row for row, _, _ in sides]
     heights = _bands(rows, swings)
     times = np.array([1.0 if top == largest[row] else STEEP_SMALLER for row, _, top in sides])
-    depths = rows[of] * np.array([[-sign] for _, sign, _ in sides])
+    depths = rows[of]
+    depths *= np.array([[-sign] for _, sign, _ in sides])
     begins = _flat_tops(depths, heights[of], swings[of], times)
     for (row, sign, top), begin in zip(sides, begins, strict=True):
         if begin >= 0 and found[row] is None:

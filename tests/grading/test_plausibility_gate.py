@@ -221,6 +221,18 @@ def test_a_record_that_begins_after_contact_is_not_evaluated():
     }
 
 
+def test_a_flat_top_is_clipped_where_an_amplifier_may_have_cut_it_off_only():
+    record = damaged("T1", lambda _, values: np.minimum(values, 0.85 * values.max()))
+    doubts = {}
+    for kind in ("measured", "virtual", "simulated"):
+        measured = measure_all(prepare("vehicle").procedure, replace(record, kind=kind), lenient=True)
+        doubts[kind] = measured.values["T1"].doubt
+    assert doubts["measured"] is not None
+    assert doubts["virtual"] is not None
+    assert doubts["virtual"].code == "clipped"
+    assert doubts["simulated"] is None
+
+
 def test_a_smeared_top_of_a_filtered_clipped_channel_is_found_too():
     record = intact()
     smeared = damaged("T1", lambda _, v: cfc(np.minimum(v, 0.8 * v.max()), record.interval, 600))
