@@ -16,7 +16,7 @@ from certkit.definitions.loading.kinds import KINDS
 from certkit.definitions.loading.search_path import TextStore
 from certkit.definitions.loading.validation import validate
 from certkit.definitions.loading.yaml_reader import read_tree
-from certkit.documents.channel_curves import recording_of
+from certkit.documents.channel_curves import recording_of, simulated_here
 from certkit.errors import DataError, OldFormWarning
 from certkit.grading import (
     NO_LABORATORY,
@@ -42,12 +42,6 @@ def embedded_store(result: Result) -> TextStore:
             name = read_tree(item.text, item.path).data.get(item.role)
             texts[item.role, str(name)] = item.text
     return TextStore(texts)
-
-
-def simulated_here(result: Result) -> bool:
-    """Tell whether a result is of a simulation of certkit itself, not of a recording that was graded."""
-    recorded = any(item.role == "recording" for item in result.provenance.inputs)
-    return result.kind == "virtual certification" and not recorded
 
 
 def embedded_channels(result: Result) -> ChannelTable | None:

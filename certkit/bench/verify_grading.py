@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 from certkit._version import __version__
 from certkit.bench.compare_documents import differences
 from certkit.bench.model_origins import fits_of
-from certkit.bench.regrade import embedded_setup, regrade, simulated_here
+from certkit.bench.regrade import embedded_setup, regrade
 from certkit.bench.verification import Check, fails, holds, judged, left_out, unchecked
+from certkit.documents.channel_curves import simulated_here
 from certkit.errors import CertkitError
 
 if TYPE_CHECKING:

@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 
 from certkit._version import __version__
 from certkit.bench.compare_documents import differences
-from certkit.bench.regrade import embedded_setup, simulated_here
+from certkit.bench.regrade import embedded_setup
 from certkit.bench.run_simulation import run_setup
 from certkit.bench.verification import Check, fails, holds, left_out, unchecked
 from certkit.bench.verify_grading import WORDED
+from certkit.documents.channel_curves import simulated_here
 from certkit.errors import CertkitError
 
 if TYPE_CHECKING:

@@ -109,6 +109,12 @@ RECORDED: dict[ResultKind, Kind] = {
 """Kind of a recording by the kind of the document that was made from it."""
 
 
+def simulated_here(result: Result) -> bool:
+    """Tell whether a result is of a simulation of certkit itself, not of a recording that was graded."""
+    recorded = any(item.role == "recording" for item in result.provenance.inputs)
+    return result.kind == "virtual certification" and not recorded
+
+
 def recording_of(result: Result, source: str | None = None, table: ChannelTable | None = None) -> Recording:
     """Return the recording that a result document carries, so that it can be graded again.
 
@@ -146,6 +152,7 @@ def recording_of(result: Result, source: str | None = None, table: ChannelTable 
         conditions=dict(result.conditions),
         source=source or result.procedure,
         table=known,
+        from_solver=simulated_here(result),
     )
 
 

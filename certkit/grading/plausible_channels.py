@@ -136,9 +136,9 @@ def _drop_outs(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
 def _clipped(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     """Yield flat tops, as recorded and through the filter, which takes noise off a plateau.
 
-    Our own simulation has no amplifier that could cut one off: a top that is flat there is one.
+    The solver has no amplifier that could cut one off: a top that is flat there is one.
     """
-    if leg.filtered.recording.kind == "simulated":
+    if leg.filtered.recording.from_solver:
         return
     clippings = find_clippings(leg.rows[:, : leg.end], [*leg.classes.values()] * 2)
     for number, (name, channel) in enumerate(leg.channels.items()):
@@ -251,7 +251,7 @@ def _units(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     recording = leg.filtered.recording
     kinds = recording.table.kinds
     # The solver knows one unit only, but a bonnet's edge stretches ligaments in other proportions.
-    for dimension in () if recording.kind == "simulated" else (MOMENT, ELONGATION):
+    for dimension in () if recording.from_solver else (MOMENT, ELONGATION):
         usual = {
             name: kinds[name].usual or 0.0
             for name, channel in leg.channels.items()

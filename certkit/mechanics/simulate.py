@@ -175,6 +175,7 @@ def simulate(
         channels=channels(rig, rig.leg, run, readings),
         source=procedure.procedure,
         table=legform.channel_table,
+        from_solver=True,
     )
     return Simulation(
         recording=_from_contact(recording, run),

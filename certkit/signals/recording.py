@@ -73,6 +73,9 @@ class Recording(Struct, frozen=True):
     table : ChannelTable
         The channels of the legform that was tested: what is known of them beforehand. The shipped legform's
         when missing.
+    from_solver : bool
+        Whether it came here straight from the solver. A simulated recording that was read from a file may
+        have been through other hands, and is doubted as any other.
     """
 
     kind: Kind
@@ -82,6 +85,7 @@ class Recording(Struct, frozen=True):
     notes: tuple[Reason, ...] = ()
     source: str = ""
     table: ChannelTable = field(default_factory=_shipped)
+    from_solver: bool = False
 
     def __getitem__(self, name: str) -> Channel:
         """Return the channel of that short name; KeyError when it was not recorded."""

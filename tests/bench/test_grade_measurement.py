@@ -18,12 +18,13 @@ from certkit.bench import grade_measurement
 from certkit.bench.run_simulation import run
 from certkit.cli import main
 from certkit.errors import DataError, RunError
-from certkit.exchange.channels_csv import write_csv
+from certkit.exchange.channels_csv import channels_csv, write_csv
 from certkit.exchange.mme_write import write_mme
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from numpy.typing import NDArray
     from support.damage import Damage
 
     from certkit.signals import Recording
@@ -248,3 +249,28 @@ def test_a_record_longer_than_a_certificate_can_carry_is_refused_before_it_is_gr
 def test_a_run_longer_than_a_document_can_hold_is_refused_before_it_is_simulated():
     with pytest.raises(RunError, match=r"a run of 3\.002 s .* is more than a document can hold"):
         run("inverse", overrides={"run.until": "3 s"})
+
+
+@pytest.mark.parametrize(
+    ("changed", "code"),
+    [
+        (lambda t1: np.minimum(t1, 240.0), "clipped"),
+        (lambda t1: 10.0 * t1, "unit-out-by-ten"),
+    ],
+)
+def test_a_simulated_table_that_was_changed_on_its_way_is_doubted(
+    tmp_path: Path, changed: Callable[[NDArray[np.float64]], NDArray[np.float64]], code: str
+):
+    lines = channels_csv(run("inverse", refine=False)).splitlines()
+    first = next(k for k, line in enumerate(lines) if line.startswith("time"))
+    column = lines[first].split(",").index("T1 [N·m]")
+    rows = [line.split(",") for line in lines[first + 1 :]]
+    values = changed(np.array([float(row[column]) for row in rows]))
+    for row, value in zip(rows, values, strict=True):
+        row[column] = repr(float(value))
+    table = tmp_path / "channels.csv"
+    table.write_text("\n".join([*lines[: first + 1], *(",".join(row) for row in rows)]), "utf-8")
+    result = grade_measurement.grade("inverse", table)
+    reason = next(criterion.coded_reason for criterion in result.criteria if criterion.id == "T1")
+    assert reason is not None
+    assert reason.code == code
