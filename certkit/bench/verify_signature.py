@@ -87,9 +87,11 @@ def _checked(embedded: Any, roots: list[Any], *, last: bool) -> Iterator[Check]:
     from pyhanko.sign.validation.status import SignatureCoverageLevel  # noqa: PLC0415  # likewise
     from pyhanko_certvalidator import ValidationContext  # noqa: PLC0415  # likewise
 
+    from certkit.reporting.own_thread import in_own_thread  # noqa: PLC0415  # needed for signatures alone
+
     context = ValidationContext(trust_roots=roots, allow_fetching=False)
     any_use = KeyUsageConstraints(key_usage=set())
-    status = validate_pdf_signature(embedded, context, key_usage_settings=any_use)
+    status = in_own_thread(validate_pdf_signature, embedded, context, key_usage_settings=any_use)
     signer = str(embedded.signer_cert.subject.human_friendly).removeprefix("Common Name: ")
     if not status.intact:
         yield fails(WHAT, "signature-broken", signer=signer)

@@ -63,10 +63,12 @@ def _signed(pdf: bytes, signer: Any, authority: Any) -> bytes:  # noqa: ANN401  
     from pyhanko.sign import signers  # noqa: PLC0415  # likewise
     from pyhanko.sign.fields import SigSeedSubFilter  # noqa: PLC0415  # likewise
 
+    from certkit.reporting.own_thread import in_own_thread  # noqa: PLC0415  # needed to sign alone
+
     metadata = signers.PdfSignatureMetadata(field_name=FIELD, subfilter=SigSeedSubFilter.PADES)
     writer = IncrementalPdfFileWriter(io.BytesIO(pdf))
     try:
-        made = signers.sign_pdf(writer, metadata, signer=signer, timestamper=authority)
+        made = in_own_thread(signers.sign_pdf, writer, metadata, signer=signer, timestamper=authority)
     except OSError as error:
         said = " ".join(str(error).split())[:200]
         raise RunError(

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import asyncio
 import datetime as dt
 import io
 from typing import TYPE_CHECKING
@@ -7,7 +8,9 @@ from typing import TYPE_CHECKING
 import pytest
 from support import synthetic_result
 
+from certkit.bench.verify_signature import signature_checks
 from certkit.errors import InputError, RunError
+from certkit.reporting.own_thread import in_own_thread
 from certkit.reporting.pdf_report import certificate
 from certkit.reporting.result_view import unique_views
 from certkit.reporting.signing import sign
@@ -58,9 +61,21 @@ def test_a_signature_is_valid_and_leaves_what_it_signs_as_it_was(
     assert signed.startswith(pdf)
     (embedded,) = PdfFileReader(io.BytesIO(signed)).embedded_signatures
     trusted = ValidationContext(trust_roots=[embedded.signer_cert])
-    status = validate_pdf_signature(embedded, trusted)
+    status = in_own_thread(validate_pdf_signature, embedded, trusted)
     assert status.intact
     assert status.valid
+
+
+def test_a_notebook_can_sign_and_verify_whose_thread_runs_an_event_loop(
+    key: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CERTKIT_PASSPHRASE", "open sesame")
+
+    async def cell() -> list[str]:
+        signed = sign(certificate(unique_views([synthetic_result.static_result()])), key)
+        return [check.outcome for check in signature_checks(signed)]
+
+    assert set(in_own_thread(asyncio.run, cell())) == {"holds"}  # apart from the loop of other tests
 
 
 def test_a_wrong_passphrase_is_said(key: Path, monkeypatch: pytest.MonkeyPatch) -> None:
