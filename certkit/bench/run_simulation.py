@@ -23,6 +23,8 @@ from certkit.reasons import Reason
 from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+    from concurrent.futures import Future
     from pathlib import Path
 
     from certkit.definitions.loading.library import Library
@@ -77,19 +79,21 @@ def run(
 def run_setup(setup: Setup, *, refine: bool = True, library: Library = ()) -> Result:
     """Simulate and grade what `prepare` has loaded; see `run`."""
     simulation = _simulate(setup)
+    half = _begin_half_step(setup, simulation) if refine else None
     measured = measure_all(setup.procedure, simulation.recording)
-    refinement = _refine(setup, simulation, measured) if refine else None
     front, vehicle = simulation.front, setup.vehicle
+    fits = fits_of(setup, library)
+    fitted, bounds = tuple(fitted_to(setup, fits, library)), model_remarks(setup, fits, front)
+    refinement = _refine(setup, simulation, measured, half.result) if half else None
     quality = grade_quality(
         simulation.quality,
         step_change=refinement.step_change if refinement else None,
         solver_seconds=simulation.solver_seconds,
         front=None if front is None or vehicle is None else front_use(front, vehicle),
     )
-    fits = fits_of(setup, library)
     simulated = SimulatedTerms(
-        fitted=tuple(fitted_to(setup, fits, library)),
-        bounds=model_remarks(setup, fits, front),
+        fitted=fitted,
+        bounds=bounds,
         quality=quality,
         numerical=refinement.uncertainties if refinement else {},
         legform=setup.legform.title,
@@ -105,20 +109,39 @@ def _simulate(setup: Setup, *, time_step: float | None = None, iterations: int |
     from certkit.mechanics import simulate  # noqa: PLC0415  # a measured test is graded without the solver
 
     return simulate(
-        setup.procedure, setup.legform, vehicle=setup.vehicle, time_step=time_step, iterations=iterations
+        setup.procedure,
+        setup.legform,
+        vehicle=setup.vehicle,
+        time_step=time_step,
+        iterations=iterations,
     )
 
 
-def _refine(setup: Setup, reported: Simulation, measured: Measurements) -> Refinement:
+def _begin_half_step(setup: Setup, reported: Simulation) -> Future[Simulation]:
+    """Begin a run at half the step, beside the one with more iterations and what else there is to do.
+
+    The solver lets other threads run meanwhile: on two cores a person waits for one run less.
+    """
+    from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415  # a measured test needs none
+
+    beside = ThreadPoolExecutor(1)
+    begun = beside.submit(_simulate, setup, time_step=reported.quality.time_step / 2)
+    beside.shutdown(wait=False)
+    return begun
+
+
+def _refine(
+    setup: Setup, reported: Simulation, measured: Measurements, half_step: Callable[[], Simulation]
+) -> Refinement:
     """Compare with a run at half the step and one with twice the solver iterations.
 
     The numerical uncertainty of a criterion is the grid convergence index of the step plus the change that
     the iterations make: two causes that have nothing to do with each other, added without hoping that they
     cancel.
     """
-    values = criterion_values(measured)
-    half = _simulate(setup, time_step=reported.quality.time_step / 2)
     patient = _simulate(setup, iterations=2 * reported.quality.iterations)
+    half = half_step()
+    values = criterion_values(measured)
     halved = criterion_values(measure_all(setup.procedure, half.recording))
     iterated = criterion_values(measure_all(setup.procedure, patient.recording))
     by_step = numerical_uncertainties([values, halved])
