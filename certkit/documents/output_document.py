@@ -166,7 +166,7 @@ class OutputDocument(Part):
 
         A report made in a run and one made later from the file then have the same bytes.
         """
-        return self.from_json(self.to_json())
+        return self.model_validate_json(self.to_json())
 
     def content_id(self) -> str:
         """Return the id that the content makes, such as `3F9A-1C07-8B2E-44D1`: 64 bits of a SHA-256.
