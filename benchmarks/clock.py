@@ -69,6 +69,15 @@ def child_seconds(*tasks: Callable[[], object], repeats: int = 7) -> list[float]
     return [min(spent) for spent in times]
 
 
+def waited_seconds(*tasks: Callable[[], object], repeats: int = 7) -> list[float]:
+    """Return the least wall time of each task; tasks take turns."""
+    times: list[list[float]] = [[] for _ in tasks]
+    for _ in range(repeats):
+        for task, spent in zip(tasks, times, strict=True):
+            spent.append(wall_seconds(task, 1))
+    return [min(spent) for spent in times]
+
+
 def wall_seconds(task: Callable[[], object], repeats: int = 3) -> float:
     """Return the least wall time of several calls."""
     times = []
