@@ -125,7 +125,7 @@ def _render(  # noqa: PLR0913  # what `render` is asked for
             from certkit.reporting.document_reports import render_document  # noqa: PLC0415  # likewise
 
             # From the text, whose numbers are rounded: reports are the ones that the document alone makes.
-            again = document.from_json(text)
+            again = document.model_validate_json(text)
             written += render_document(again, stage, asked, paper=paper, spoken=language, shown=shown)
             _sign(written, sign)
     return [folder / path.relative_to(stage) for path in written]

@@ -253,7 +253,7 @@ def _document_fields(path: Path) -> Mapping[str, Any] | None:
 
 def _files_of(document: OutputDocument, old: Mapping[str, Any], folder: Path) -> list[str]:
     """Return the names in a folder that belong to a document of this kind: itself, its pages, its figures."""
-    if not folder.is_dir():
+    if not folder.is_dir() or not any(folder.iterdir()):
         return []
     stem = Path(document.file_name).stem
     from certkit.reporting.document_reports import report_files  # noqa: PLC0415  # only where a folder is there
