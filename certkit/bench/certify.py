@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from certkit.bench.laboratory_files import read_files
 from certkit.bench.legform_logbook import FOLDER, add_tests, day_of, rules_of
-from certkit.bench.report_register import report_number
+from certkit.bench.report_numbers import report_number
 from certkit.definitions.laboratory import TestDetails
 from certkit.documents.result import Result
 from certkit.errors import DataError

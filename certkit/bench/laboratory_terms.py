@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.bench.laboratory_files import read_files
-from certkit.bench.report_register import report_number
+from certkit.bench.report_numbers import report_number
 from certkit.definitions.loading.channel_tables import default_channels
 from certkit.documents.result import PreconditionResult
 from certkit.errors import DataError, DefinitionError, Problem

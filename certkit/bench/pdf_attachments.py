@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
-    from certkit.reporting.report_format import Paper
+    from certkit.reporting.report_formats import Paper
 
 MOST = 500
 """Attachments; a suite of seven procedures has about fifty."""

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from certkit.documents.output_document import OutputDocument
     from certkit.documents.result import Result
-    from certkit.reporting.report_format import Paper
+    from certkit.reporting.report_formats import Paper
     from certkit.reporting.result_view import View
 
 

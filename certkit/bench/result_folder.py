@@ -85,7 +85,7 @@ def suite_switch(folder: Path, results: Sequence[Result], *, force: bool) -> Ite
     AnotherResultError
         When it holds the report of a single result, or a suite of other results.
     """
-    from certkit.reporting.report_format import FORMATS  # noqa: PLC0415  # waits until there is a suite
+    from certkit.reporting.report_formats import FORMATS  # noqa: PLC0415  # waits until there is a suite
 
     names = {str(file) for module in FORMATS.values() if (file := import_module(module).SUITE_FILE)}
     with FolderSwitch(folder) as switch:

@@ -10,7 +10,7 @@ import typer
 
 from certkit.cli import options  # noqa: TC001  # typer reads the annotations
 from certkit.errors import RunError
-from certkit.reporting.report_format import FORMATS
+from certkit.reporting.report_formats import FORMATS
 
 Documents = Annotated[
     list[Path],

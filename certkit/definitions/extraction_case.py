@@ -7,15 +7,10 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Section
+from certkit.definitions.history_formats import TABLE, Format
 from certkit.definitions.loading.faults import Faults
 from certkit.definitions.part_selection import Box, IdRange
 from certkit.definitions.provenance import Length, Mass, Ratio, Time
-
-Format = Literal["openradioss native", "openradioss csv", "ls-dyna binout", "tidy csv"]
-"""Formats, each a file in `certkit.exchange.fe.readers`; a file that none of them knows is `TABLE`."""
-
-TABLE: Format = "tidy csv"
-"""The format that takes any file, so that it is asked last, wherever it stands in the list."""
 
 _OF_A_TABLE = ("time", "parts", "nodes", "contacts", "springs")
 """Keys of the histories that name columns: solvers' files have names of their own."""

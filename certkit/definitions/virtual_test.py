@@ -7,7 +7,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Document
-from certkit.definitions.extraction_case import Format
+from certkit.definitions.history_formats import Format
 from certkit.definitions.loading.faults import Fault, Faults
 
 Names = Annotated[list[str], Field(min_length=1, max_length=50)]

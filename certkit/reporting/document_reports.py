@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from certkit.errors import UsageError
 from certkit.reporting.language_list import ENGLISH
-from certkit.reporting.report_format import FORMATS, report_format
+from certkit.reporting.report_formats import FORMATS, report_format
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
 
     from certkit.documents.output_document import OutputDocument
-    from certkit.reporting.report_format import Paper
+    from certkit.reporting.report_formats import Paper
     from certkit.reporting.result_view import View
 
 

@@ -17,7 +17,7 @@ from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
     from certkit.documents.legform_certificate import LegformCertificate
-    from certkit.reporting.report_format import Paper
+    from certkit.reporting.report_formats import Paper
 
 PAGE = "certificate.html"
 LOGBOOK = "logbook.html"

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from certkit.documents.result import Result
-    from certkit.reporting.report_format import Paper
+    from certkit.reporting.report_formats import Paper
     from certkit.reporting.result_view import View
 
 FILE = "report.pdf"

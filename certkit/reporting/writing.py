@@ -11,7 +11,7 @@ from certkit.errors import MissingPartError, UsageError
 from certkit.files import write_whole
 from certkit.reporting.language import ENGLISH
 from certkit.reporting.left_out import leave_out
-from certkit.reporting.report_format import FORMATS, report_format
+from certkit.reporting.report_formats import FORMATS, report_format
 from certkit.reporting.result_view import unique_views
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.documents.result import Result
-    from certkit.reporting.report_format import Paper
+    from certkit.reporting.report_formats import Paper
     from certkit.reporting.result_view import View
 
 SUITE_TITLE = "Certification suite"

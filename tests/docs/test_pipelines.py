@@ -17,7 +17,7 @@ import typer
 import yaml
 
 from certkit.cli.commands import whole_app
-from certkit.reporting.report_format import FORMATS
+from certkit.reporting.report_formats import FORMATS
 
 FOLDER = Path(__file__).parents[2] / "docs" / "how-to" / "pipelines"
 FILES = sorted(FOLDER.glob("*.yml"))

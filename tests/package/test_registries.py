@@ -22,9 +22,10 @@ import certkit.studies.designs as design_files
 from certkit.cli.commands import PANELS
 from certkit.definitions.base import Section
 from certkit.definitions.channel_mapping import Mapping
-from certkit.definitions.extraction_case import Format, HistoryFiles
+from certkit.definitions.extraction_case import HistoryFiles
 from certkit.definitions.filters import FILTERS
 from certkit.definitions.fixtures import FIXTURES, RIG_CHANNELS
+from certkit.definitions.history_formats import Format
 from certkit.definitions.legform_parts import Ligament
 from certkit.definitions.loading.validation import read_document
 from certkit.definitions.measures import MEASURES, MeasureKind
@@ -41,7 +42,7 @@ from certkit.mechanics.force_laws.ligament_cable import LigamentCable
 from certkit.named_class import file_name, named_class
 from certkit.reporting.figure_list import FIGURES
 from certkit.reporting.language_list import languages
-from certkit.reporting.report_format import FORMATS
+from certkit.reporting.report_formats import FORMATS
 from certkit.reporting.writing import render
 from certkit.signals import Filtered
 from certkit.studies.factors import Factor, Uniform
@@ -134,7 +135,7 @@ def write(views, *, title, paper):
 def test_a_report_format_is_one_file_and_one_line(monkeypatch: pytest.MonkeyPatch, tmp_path: Path):
     with_file(monkeypatch, certkit.reporting, tmp_path, "made_up_format", MADE_UP_FORMAT)
     more = MappingProxyType({**FORMATS, "made up format": "certkit.reporting.made_up_format"})
-    monkeypatch.setattr("certkit.reporting.report_format.FORMATS", more)
+    monkeypatch.setattr("certkit.reporting.report_formats.FORMATS", more)
     monkeypatch.setattr("certkit.reporting.writing.FORMATS", more)
     document = result().as_written()
     assert render(document, tmp_path / "out", ["made up format"]) == [tmp_path / "out" / "verdict.txt"]
@@ -183,7 +184,7 @@ def test_a_design_is_one_file_and_one_line(monkeypatch: pytest.MonkeyPatch, tmp_
 
 def test_formats_of_finite_element_histories_are_named_in_one_place():
     assert {file_name(word) for word in get_args(Format)} == files("exchange/fe/readers")
-    said = saying(set(get_args(Format)), "definitions/extraction_case.py")
+    said = saying(set(get_args(Format)), "definitions/history_formats.py")
     assert said == ["definitions/virtual_test.py: tidy csv"]  # a tidy table alone has columns
 
 

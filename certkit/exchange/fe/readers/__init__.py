@@ -1,6 +1,6 @@
 """Formats of finite-element histories, one file each, named by the format's words: `ls_dyna_binout.py`.
 
-A new format is a file here and its words in `Format` of `certkit.definitions.extraction_case`. The file has a
+A new format is a file here and its words in `Format` of `certkit.definitions.history_formats`. The file has a
 function `read(paths, section)`, which yields the `PartHistories` of an extraction. Where runs of the format
 are graded as virtual tests too, it also has
 
@@ -15,7 +15,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, get_args
 
-from certkit.definitions.extraction_case import TABLE, Format
+from certkit.definitions.history_formats import TABLE, Format
 from certkit.errors import DataError
 from certkit.exchange.fe.checks import read_bytes
 from certkit.named_class import file_name
