@@ -7,7 +7,7 @@ from pydantic import Field, model_validator
 
 from certkit.definitions.base import Section
 from certkit.definitions.channels import ChannelKind, ChannelTable
-from certkit.definitions.fixtures import RIG_CHANNELS
+from certkit.definitions.fixture_list import RIG_CHANNELS
 from certkit.definitions.legform_channel import Evaluation, LegformChannel
 from certkit.definitions.legform_parts import Bone, Flesh, Knee
 from certkit.definitions.loading.error_messages import suggestion

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from pydantic import create_model
 
 from certkit.definitions.base import Section
-from certkit.definitions.fixtures import FIXTURES
+from certkit.definitions.fixture_list import FIXTURES
 from certkit.definitions.fixtures.fixture import Fixture, TestKind
 
 F = TypeVar("F")

@@ -24,7 +24,7 @@ from certkit.definitions.base import Section
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.extraction_case import HistoryFiles
 from certkit.definitions.filters import FILTERS
-from certkit.definitions.fixtures import FIXTURES, RIG_CHANNELS
+from certkit.definitions.fixture_list import FIXTURES, RIG_CHANNELS
 from certkit.definitions.history_formats import Format
 from certkit.definitions.legform_parts import Ligament
 from certkit.definitions.loading.validation import read_document
@@ -325,17 +325,15 @@ import json, sys
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
-import certkit.definitions
+import certkit.definitions.fixtures
 
-here = Path(certkit.definitions.__file__).parent / "fixtures"
-text = (here / "__init__.py").read_text("utf-8")
-text = text.replace('"free_flight",', '"free_flight", "made_up_beam",')
-spec = spec_from_file_location(
-    "certkit.definitions.fixtures", here / "__init__.py", submodule_search_locations=[str(here), sys.argv[1]]
-)
-fixtures = module_from_spec(spec)
-sys.modules[spec.name] = certkit.definitions.fixtures = fixtures
-exec(compile(text, str(here / "__init__.py"), "exec"), vars(fixtures))
+certkit.definitions.fixtures.__path__.append(sys.argv[1])
+place = Path(certkit.definitions.__file__).parent / "fixture_list.py"
+text = place.read_text("utf-8").replace('"free_flight",', '"free_flight", "made_up_beam",')
+spec = spec_from_file_location("certkit.definitions.fixture_list", place)
+listed = module_from_spec(spec)
+sys.modules[spec.name] = certkit.definitions.fixture_list = listed
+exec(compile(text, str(place), "exec"), vars(listed))
 
 import certkit
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from certkit.definitions.base import words
-from certkit.definitions.fixtures import FIXTURES
+from certkit.definitions.fixture_list import FIXTURES
 from certkit.definitions.legform import WHOLE
 from certkit.definitions.loading.channel_tables import DEFAULT_LEGFORM, default_channels
 from certkit.definitions.loading.error_messages import suggestion
