@@ -44,7 +44,8 @@ def test_height_and_clock_change_nothing_of_front_and_leg(
             assert channel.rms_percent == pytest.approx(same.rms_percent, abs=WITHIN)
         moved = {g.name: g.peak for g in one.groups}
         for group in other.groups:
-            assert group.peak == pytest.approx(moved[group.name], rel=0.03, abs=2e-4)
+            # Half a millimetre is what the last digits of another C library move a group that hardly moves.
+            assert group.peak == pytest.approx(moved[group.name], rel=0.03, abs=5e-4)
 
 
 def test_the_leg_alone_runs_on_the_clock_of_its_run(told: ExtractionResult) -> None:

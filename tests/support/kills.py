@@ -337,7 +337,8 @@ def kill(victim: Killed, chance: random.Random) -> str:
     """Kill a command once, at any moment or while it writes; say by what, and what is wrong then."""
     victim.number += 1
     by, while_writing = chance.choice(SIGNALS), chance.random() < 0.6
-    after = chance.uniform(0.0, 0.05) if while_writing else chance.uniform(0.1, 1.1) * victim.longest
+    # A short command writes for a few milliseconds only.
+    after = victim.longest * (chance.uniform(0.0, 0.05) if while_writing else chance.uniform(0.1, 1.1))
     child = command(victim.words(), victim.folder)
     begun = time.monotonic()
     if while_writing:
@@ -371,7 +372,7 @@ def kill_command(kind: type[Killed], folder: Path, count: int, seed: int) -> Tal
     chance = random.Random(f"{kind.name} {seed}")  # noqa: S311  # moments, no secrets
     victim = kind(folder)
     kills, wrong = 0, []
-    for _ in range(5 * count):
+    for _ in range(10 * count):
         if kills == count:
             break
         said = kill(victim, chance)
