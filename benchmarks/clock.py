@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
 
 @dataclass(frozen=True)
@@ -46,36 +46,40 @@ def processor_seconds(task: Callable[[], object], repeats: int = 5) -> float:
 
 
 def seconds_in_turn(*tasks: Callable[[], object], repeats: int = 7) -> list[float]:
-    """Return the least processor time of each task; they take turns, so that all meet the machine's moods."""
-    times: list[list[float]] = [[] for _ in tasks]
-    for _ in range(repeats):
-        for task, spent in zip(tasks, times, strict=True):
-            gc.collect()  # nobody pays for what another has left lying about
-            start = time.process_time()
-            task()
-            spent.append(time.process_time() - start)
-    return [min(spent) for spent in times]
+    """Return the least processor time of each task."""
+
+    def spent(task: Callable[[], object]) -> float:
+        gc.collect()  # nobody pays for what another has left lying about
+        start = time.process_time()
+        task()
+        return time.process_time() - start
+
+    return _in_turn(spent, tasks, repeats)
 
 
 def child_seconds(*tasks: Callable[[], object], repeats: int = 7) -> list[float]:
-    """Return the least processor time of the processes that each task starts; tasks take turns."""
-    times: list[list[float]] = [[] for _ in tasks]
-    for _ in range(repeats):
-        for task, spent in zip(tasks, times, strict=True):
-            before = resource.getrusage(resource.RUSAGE_CHILDREN)
-            task()
-            after = resource.getrusage(resource.RUSAGE_CHILDREN)
-            spent.append(after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime)
-    return [min(spent) for spent in times]
+    """Return the least processor time of the processes that each task starts."""
+
+    def spent(task: Callable[[], object]) -> float:
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        task()
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+
+    return _in_turn(spent, tasks, repeats)
 
 
 def waited_seconds(*tasks: Callable[[], object], repeats: int = 7) -> list[float]:
-    """Return the least wall time of each task; tasks take turns."""
-    times: list[list[float]] = [[] for _ in tasks]
-    for _ in range(repeats):
-        for task, spent in zip(tasks, times, strict=True):
-            spent.append(wall_seconds(task, 1))
-    return [min(spent) for spent in times]
+    """Return the least wall time of each task."""
+    return _in_turn(lambda task: wall_seconds(task, 1), tasks, repeats)
+
+
+def _in_turn(
+    spent: Callable[[Callable[[], object]], float], tasks: Sequence[Callable[[], object]], repeats: int
+) -> list[float]:
+    """Return the least that each task has spent; they take turns, so that all meet the machine's moods."""
+    rounds = [[spent(task) for task in tasks] for _ in range(repeats)]
+    return [min(times) for times in zip(*rounds, strict=True)]
 
 
 def wall_seconds(task: Callable[[], object], repeats: int = 3) -> float:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.bench.contact_places import AXIS
+from certkit.bench.contact_places import AXIS, axis_nodes
 from certkit.bench.group_checks import contact_figures, group_checks
 
 if TYPE_CHECKING:
@@ -31,9 +31,7 @@ INTERVAL = 2e-4
 
 def leg_nodes(motion: NodeMotion | None) -> Values | None:
     """Return the nodes along the leg from the lowest, shape (nodes, instants, 2), or that there are none."""
-    lines = {} if motion is None else motion.places
-    nodes = [p for line, places in lines.items() if line.startswith((AXIS, KNEE)) for p in places.values()]
-    return np.array(sorted(nodes, key=lambda p: float(p[0, 1]))) if len(nodes) > 1 else None
+    return None if motion is None else axis_nodes(motion, (AXIS, KNEE))
 
 
 def contact_alone(run: CheckedRun, setup: Setup, nodes: Values) -> SelfCheck:

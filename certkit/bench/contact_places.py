@@ -87,12 +87,13 @@ def recorded_forces(
     return found
 
 
-def axis_nodes(motion: NodeMotion) -> Values | None:
+def axis_nodes(motion: NodeMotion, begin: tuple[str, ...] = (AXIS,)) -> Values | None:
     """Return the places of the leg's axis nodes from bottom to top, shape (nodes, instants, 2).
 
-    Of nodes that lie on one another, as where two pieces of the leg meet, one is taken.
+    They stand in the lines whose names begin so. Of nodes that lie on one another, as where two pieces of the
+    leg meet, one is taken.
     """
-    nodes = [p for line, places in motion.places.items() if line.startswith(AXIS) for p in places.values()]
+    nodes = [p for line, places in motion.places.items() if line.startswith(begin) for p in places.values()]
     kept: list[Values] = []
     for node in sorted(nodes, key=lambda p: p[0, 1]):
         if not kept or float(np.linalg.norm(node - kept[-1], axis=1).min()) > ONE:

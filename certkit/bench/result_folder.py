@@ -11,7 +11,6 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from contextlib import contextmanager
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -85,9 +84,9 @@ def suite_switch(folder: Path, results: Sequence[Result], *, force: bool) -> Ite
     AnotherResultError
         When it holds the report of a single result, or a suite of other results.
     """
-    from certkit.reporting.report_formats import FORMATS  # noqa: PLC0415  # waits until there is a suite
+    from certkit.reporting.report_formats import FORMATS, report_format  # noqa: PLC0415  # waits until there is a suite
 
-    names = {str(file) for module in FORMATS.values() if (file := import_module(module).SUITE_FILE)}
+    names = {file for name in FORMATS if (file := report_format(name).SUITE_FILE)}
     with FolderSwitch(folder) as switch:
         there = [switch.folder / name for name in sorted(names) if (switch.folder / name).is_file()]
         single = (switch.folder / "result.json").exists()

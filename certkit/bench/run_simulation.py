@@ -109,11 +109,7 @@ def _simulate(setup: Setup, *, time_step: float | None = None, iterations: int |
     from certkit.mechanics import simulate  # noqa: PLC0415  # a measured test is graded without the solver
 
     return simulate(
-        setup.procedure,
-        setup.legform,
-        vehicle=setup.vehicle,
-        time_step=time_step,
-        iterations=iterations,
+        setup.procedure, setup.legform, vehicle=setup.vehicle, time_step=time_step, iterations=iterations
     )
 
 

@@ -77,7 +77,7 @@ def drive_contact(
     for name, body in () if front is None else front.groups.items():
         moved = led.groups.get(name, np.zeros_like(led.time))
         at[body] = np.column_stack([moved, np.zeros((led.time.size, 2))])
-    poses = dict(enumerate(rig.assembly.finish().pose))
+    poses = rig.assembly.finish().pose
     for body, moved in at.items():
         at[body] = moved + poses[body]
         start, points = add_tables(rig.assembly, led.time - led.time[0], at[body])

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting.channel_names import channel_words
 from certkit.reporting.coupled_check import check_of
+from certkit.reporting.number_format import signed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -47,9 +48,9 @@ def _channels(coupled: SelfCheck, alone: SelfCheck, t: Translate) -> Iterator[st
     for name in sorted(set(off) - set(agree), key=lambda n: -max(abs(off[n]), abs(own[n]), abs(front[n]))):
         told = {
             "channel": channel_words(name, t),
-            "error": _signed(off[name]),
-            "own": _signed(own[name]),
-            "front": _signed(front[name]),
+            "error": signed(off[name], 0),
+            "own": signed(own[name], 0),
+            "front": signed(front[name], 0),
         }
         if abs(off[name]) < min(abs(own[name]), abs(front[name])):
             yield t(
@@ -85,7 +86,7 @@ def _wrong_group(coupled: SelfCheck, t: Translate) -> Iterator[str]:
         "({more} N·s), and {least} lacks {less} N·s.",
         percent=f"{coupled.wrong_group_percent:.0f}",
         most=most,
-        more=_signed(surplus[most]),
+        more=signed(surplus[most], 0),
         least=least,
         less=f"{-surplus[least]:.0f}",
     )
@@ -113,7 +114,3 @@ def _front(result: ExtractionResult, t: Translate) -> Iterator[str]:
         path=worst or "–",
         misfit=f"{laws[worst]:.0f}" if worst else "–",
     )
-
-
-def _signed(value: float) -> str:
-    return f"{value:+.0f}".replace("-", "−")

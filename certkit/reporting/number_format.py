@@ -61,6 +61,11 @@ def fixed(value: float | None, decimals: int) -> str:
     return text.replace("-", MINUS)
 
 
+def signed(value: float | None, decimals: int) -> str:
+    """Write a difference likewise, with its sign."""
+    return ("+" if value is not None and value > 0 else "") + fixed(value, decimals)
+
+
 def plain(value: float | None, digits: int = 6) -> str:
     """Write a given number (a limit) without needless zeros."""
     if value is None or not math.isfinite(value):

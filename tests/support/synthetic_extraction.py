@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from certkit.bench.tried_check import TITLES
 from certkit.documents.extraction import (
     ClosureResult,
     ExtractionResult,
@@ -39,6 +40,13 @@ def group(name: str, kind: str, low: float | None, depth: float) -> GroupResult:
         high=None if low is None else low + 0.2,
         position=None if low is None else 0.02,
         slope=0.0 if low is not None else None,
+    )
+
+
+def self_check(key: str, **figures: object) -> SelfCheck:
+    """Return a self-check of 45 ms."""
+    return SelfCheck.model_validate(
+        {"id": key, "title": TITLES[key], "start": 0.0, "interval": 1e-3, "until": 0.045, **figures}
     )
 
 
@@ -203,31 +211,19 @@ def extraction() -> ExtractionResult:
         notes=(),
         inputs={"case.yaml": "ab" * 32},
         checks=(
-            SelfCheck(
-                id="front alone",
-                title="The front alone, driven by the run's contact forces",
-                start=0.0,
-                interval=1e-3,
-                until=0.045,
+            self_check(
+                "front alone",
                 groups=(group_check("F2", 0.08, 0.12), group_check("F1", 0.06, 0.05)),
                 mean_percent=8.5,
                 worst_percent=12.0,
                 within=True,
             ),
-            SelfCheck(
-                id="leg alone",
-                title="The leg alone, driven by the run's contact forces",
-                start=0.0,
-                interval=1e-3,
-                until=0.045,
+            self_check(
+                "leg alone",
                 channels=(channel_check("T1", 300.0, -0.05), channel_check("MCL", 0.02, 0.02)),
             ),
-            SelfCheck(
-                id="contact alone",
-                title="The contact alone, leg and front led along the run's motion",
-                start=0.0,
-                interval=1e-3,
-                until=0.045,
+            self_check(
+                "contact alone",
                 groups=(
                     group_check("F2", 0.08, 0.0, contact=2900.0),
                     group_check("F1", 0.06, 0.0, contact=1300.0),
@@ -236,12 +232,8 @@ def extraction() -> ExtractionResult:
                 impulse_percent=2.0,
                 wrong_group_percent=5.0,
             ),
-            SelfCheck(
-                id="coupled",
-                title="Leg and front together",
-                start=0.0,
-                interval=1e-3,
-                until=0.045,
+            self_check(
+                "coupled",
                 groups=(
                     group_check("F2", 0.08, 0.2, contact=3300.0),
                     group_check("F1", 0.06, 0.1, contact=1100.0),

@@ -51,6 +51,12 @@ def loading(curves: Rows[CurvePoint], start: int, count: int, depth: float) -> t
 
 
 @compiled
+def _above_hysteresis(share: float, hysteresis: float, shape: float) -> float:
+    """Return (1 - H)·(W/Wₘ)ˢ of the share W/Wₘ."""
+    return (1.0 - hysteresis) * math.pow(share, shape)
+
+
+@compiled
 def remembered(
     force: float, slope: float, work: float, most: float, hysteresis: float, shape: float
 ) -> tuple[float, float, float]:
@@ -59,7 +65,7 @@ def remembered(
         return force, slope, work * (hysteresis + (1.0 - hysteresis) / (shape + 1.0))
     if work <= 0.0:
         return 0.0, slope * hysteresis, 0.0
-    share = (1.0 - hysteresis) * (work / most) ** shape
+    share = _above_hysteresis(work / most, hysteresis, shape)
     kept = hysteresis + share
     return (
         force * kept,
@@ -73,7 +79,7 @@ def left_by_memory(work: float, most: float, hysteresis: float, shape: float) ->
     """Return m, the share of the foam's stress that its memory `most` Wₘ (J/m) leaves at the work W (J/m)."""
     if most <= 0.0 or work >= most:
         return 1.0
-    return hysteresis + (1.0 - hysteresis) * math.pow(max(work, 0.0) / most, shape)
+    return hysteresis + _above_hysteresis(max(work, 0.0) / most, hysteresis, shape)
 
 
 @compiled

@@ -13,6 +13,7 @@ segment; four steel cables in each segment prevent over-bending (seed paper, sec
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
@@ -35,7 +36,7 @@ class JointSpring(ForceLaw, kw_only=True):
     cable_angle : float
         φ_c, rad.
     cable_stiffness : float
-        k_c, N·m/rad.
+        k_c, N·m/rad; none where there is no cable.
     moment, angle : State
         M (N·m) and φ (rad) now.
     """
@@ -44,8 +45,8 @@ class JointSpring(ForceLaw, kw_only=True):
     lower: Body
     stiffness: float
     damping: float
-    cable_angle: float
-    cable_stiffness: float
+    cable_angle: float = math.pi
+    cable_stiffness: float = 0.0
     moment: State = 0.0
     angle: State = 0.0
 

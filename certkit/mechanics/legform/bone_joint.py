@@ -34,6 +34,11 @@ def jointed_bone(legform: Legform, upper: str, lower: str) -> tuple[Bone, float]
     return bone, 1.0 if upper == lower or bone.block_joint is None else float(bone.block_joint)
 
 
+def _stiffness(bone: Bone, factor: float) -> float:
+    """Return k = EI·n/L times how much stiffer the joint is, N·m/rad."""
+    return factor * bone.bending_stiffness * bone.segments / bone.length
+
+
 def damper_beside(legform: Legform, bodies: tuple[int, int], upper: str, lower: str) -> JointSpring | None:
     """Return the damper that no gauge feels, None where the joint has none."""
     if part_joint(legform, upper, lower) is not None:
@@ -45,9 +50,7 @@ def damper_beside(legform: Legform, bodies: tuple[int, int], upper: str, lower: 
         upper=bodies[0],
         lower=bodies[1],
         stiffness=0.0,
-        damping=factor * bone.bending_stiffness * bone.segments / bone.length * bone.damping_time,
-        cable_angle=math.pi,
-        cable_stiffness=0.0,
+        damping=_stiffness(bone, factor) * bone.damping_time,
     )
 
 
@@ -60,11 +63,9 @@ def joint_spring(legform: Legform, bodies: tuple[int, int], upper: str, lower: s
             lower=bodies[1],
             stiffness=joint.stiffness,
             damping=joint.stiffness * joint.damping_time,
-            cable_angle=math.pi,
-            cable_stiffness=0.0,
         )
     bone, factor = jointed_bone(legform, upper, lower)
-    stiffness = factor * bone.bending_stiffness * bone.segments / bone.length
+    stiffness = _stiffness(bone, factor)
     return JointSpring(
         upper=bodies[0],
         lower=bodies[1],

@@ -81,8 +81,6 @@ def join_knee(
             lower=blocks[1],
             stiffness=knee.parallel_stiffness,
             damping=0.0,
-            cable_angle=math.pi,
-            cable_stiffness=0.0,
         )
     )
     return rows, row

@@ -8,7 +8,6 @@ foam's the curve's first slope times b·(y₂³ - y₁³)/3 between its two face
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.force_laws.foam_sleeve import FoamSleeve
@@ -44,8 +43,6 @@ def add_sleeve(
                 lower=lower,
                 stiffness=stiffness,
                 damping=stiffness * (flesh.damping_time or 0.0),
-                cable_angle=math.pi,
-                cable_stiffness=0.0,
             )
         )
     foam = flesh.foam

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.reporting.charts.table_rule import ROW, rule
-from certkit.reporting.number_format import fixed, shown
+from certkit.reporting.number_format import fixed, shown, signed
 from certkit.reporting.svg import Drawing, label
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ def errors_table(comparison: Comparison) -> Drawing:
     lines: list[tuple[str, Sequence[str]]] = [
         (f"Test, {comparison.rows[0].unit}", [shown(r.test, r.unit) for r in comparison.rows]),
         ("This simulation", [shown(r.simulation, r.unit) for r in comparison.rows]),
-        ("Error, %", [_signed(r.error_percent) for r in comparison.rows]),
+        ("Error, %", [signed(r.error_percent, 1) for r in comparison.rows]),
     ]
     if published:
         lines += [
@@ -35,7 +35,7 @@ def errors_table(comparison: Comparison) -> Drawing:
                 "Published simulation",
                 [shown(r.published, r.unit) if r.published is not None else "–" for r in comparison.rows],
             ),
-            ("Its error, %", [_signed(r.published_error_percent) for r in comparison.rows]),
+            ("Its error, %", [signed(r.published_error_percent, 1) for r in comparison.rows]),
         ]
     totals = {
         "Error, %": comparison.rms_error_percent,
@@ -56,7 +56,3 @@ def errors_table(comparison: Comparison) -> Drawing:
     height = 52 + ROW * len(lines) + 2
     drawn += rule(height - 2, width)
     return Drawing(width, height, drawn, f"Error table against {comparison.reference}")
-
-
-def _signed(value: float | None) -> str:
-    return ("+" if value is not None and value > 0 else "") + fixed(value, 1)
