@@ -107,7 +107,9 @@ def csv_text(recording: Recording, *, procedure: str = "", result_id: str = "", 
     remarks += [(f"filter {channel.name}", channel.filtered) for channel in channels]
     head = "".join(f"# {_plain(word)}: {_plain(said)}\n" for word, said in remarks if said)
     names = io.StringIO()
-    cells = ["time [s]", *(harmless(f"{each.name} [{each.dimension.unit}]") for each in channels)]
+    # A comma in a name is kept in quotes; a semicolon would begin a cell where a spreadsheet goes by it.
+    heads = [f"{each.name.replace(';', ' ')} [{each.dimension.unit}]" for each in channels]
+    cells = ["time [s]", *map(harmless, heads)]
     csv.writer(names, lineterminator="\n").writerow(cells)
     # Steps are added up from the first sample: without rounding, zero would be 1e-18.
     columns = [np.round(recording.time, 12), *(each.values * each.dimension.scale for each in channels)]

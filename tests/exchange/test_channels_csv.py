@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 from support import synthetic_result
@@ -93,6 +93,7 @@ def test_a_missing_value_is_an_empty_cell():
 
 
 @given(st.text(max_size=40), st.text(max_size=40))
+@example(";@", "")
 def test_no_cell_of_the_head_begins_a_formula(name: str, procedure: str):
     channel = replace(recording()["T1"], name=name)
     text = csv_text(replace(recording(), channels={name: channel}), procedure=procedure, result_id=procedure)
