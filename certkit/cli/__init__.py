@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import errno
 import gc
 import os
@@ -54,6 +55,8 @@ def main() -> None:
     """Run the command line and end with the contract's exit code."""
     # Imports and documents are many objects and hardly any garbage: to look for it every 700 costs 100 ms.
     gc.set_threshold(500_000)
+    # No last look for it either, once the process ends: before that, others may live in it.
+    atexit.register(gc.freeze)
     # Nor are pydantic's plugins wanted, which it looks for among all packages that are installed: 10 ms.
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
     from typer import echo  # noqa: PLC0415  # both lines above concern it too
@@ -84,4 +87,3 @@ def main() -> None:
         sys.exit(130)
     finally:
         end_streams()
-        gc.freeze()  # no last look for garbage in a process that ends

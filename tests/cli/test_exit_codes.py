@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -113,3 +115,15 @@ def test_a_damaged_recording_is_told_and_does_not_stop_the_others(
     assert "torn.csv:" in done.stderr
     assert "Traceback" not in done.stderr
     assert {path.parent.name for path in tmp_path.glob("runs/*/result.json")} == {"first", "last"}
+
+
+def test_a_program_that_calls_the_command_keeps_its_search_for_garbage() -> None:
+    program = (
+        "import gc, sys\n"
+        "from certkit.cli import main\n"
+        "sys.argv = ['certkit', 'list', 'procedures']\n"
+        "try: main()\n"
+        "finally: print('frozen', gc.get_freeze_count())\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert done.stdout.splitlines()[-1] == "frozen 0", done.stderr
