@@ -10,7 +10,7 @@ import typer
 from certkit.cli import options  # typer reads annotations
 
 if TYPE_CHECKING:
-    from certkit.documents.extraction import EnergyResult, ExtractionResult
+    from certkit.documents.extraction import ExtractionResult
 
 DEFAULT_FORMATS = "html,pdf"
 DEFAULT_PROCEDURE = "vehicle-fe-front"
@@ -116,48 +116,19 @@ def extract(
         raise typer.Exit(NOT_TRUSTED)
 
 
-def _energies(energy: EnergyResult | None, which: str) -> str:
-    """Say an energy of the run's path, and of its law."""
-    if energy is None:
-        return "–"
-    law = getattr(energy, f"law_{which}")
-    return f"{getattr(energy, which):.1f} J" + ("" if law is None else f" ({law:.1f} J)")
-
-
 def _show(result: ExtractionResult) -> None:
     """Print one line a load path."""
-    head = (
-        "path",
-        "peak force",
-        "impulse",
-        "closure",
-        "law misfit",
-        "absorbed (law)",
-        "returned (law)",
-        "known by",
-    )
-    rows = [
-        (
-            path.name,
-            f"{path.peak_force:.0f} N",
-            f"{max(path.impulse, key=abs):.2f} N·s",
-            f"{max(c.percent for c in path.closures):.2f} %" if path.closures else "–",
-            f"{path.law.misfit_percent:.1f} %" if path.law else "–",
-            _energies(path.energy, "absorbed"),
-            _energies(path.energy, "returned"),
-            path.known_by,
-        )
-        for path in result.paths
-    ]
-    widths = [max(len(row[k]) for row in (head, *rows)) for k in range(len(head))]
-    for row in (head, *rows):
-        typer.echo("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
+    from certkit.reporting.extraction_text import paths_table  # noqa: PLC0415  # not for `--help`
+
+    typer.echo(paths_table(result))
     if result.material and result.material.rms_percent is not None:
+        from certkit.reporting.number_format import signed  # noqa: PLC0415  # likewise
+
         material = result.material
         typer.echo(
             f"stress–strain of {material.path} from strain {material.strain_from:g}: "
             f"{material.rms_percent:.1f} % rms, "
-            f"{material.mean_percent:+.1f} % in the mean against the material's curve"
+            f"{signed(material.mean_percent, 1)} % in the mean against the material's curve"
         )
     from certkit.reporting.extraction_findings import findings  # noqa: PLC0415  # not for `--help`
     from certkit.reporting.extraction_text import (  # noqa: PLC0415  # likewise

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.grading.relative_margin import relative_margin
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -49,10 +50,10 @@ def foundation(
 
 def _peaks(measured: Measurements, graded: Sequence[CriterionResult]) -> list[Reason]:
     time = measured.recording.time
-    ranked = [c for c in graded if c.margin is not None and c.value]
+    ranked = [(share, c) for c in graded if (share := relative_margin(c)) is not None]
     if not ranked or measured.procedure.test_kind == "static" or time.size == 0:
         return []
-    nearest = min(ranked, key=lambda c: abs((c.margin or 0.0) / (c.value or 1.0)))
+    nearest = min(ranked, key=lambda pair: pair[0])[1]
     return [
         Reason.of(
             "pass-rests-on-peaks",

@@ -7,6 +7,7 @@ from xml.etree import ElementTree as ET
 
 from certkit.reporting.campaign_view import car_score
 from certkit.reporting.junit import fill_counts, outcome, properties, xml_bytes
+from certkit.reporting.number_format import signed
 
 if TYPE_CHECKING:
     from certkit.documents.campaign_report import CampaignReport, JudgedPoint, JudgedScheme
@@ -94,6 +95,8 @@ def _agreement(document: CampaignReport) -> ET.Element:
         if row.within is None:
             ET.SubElement(case, "skipped", message="no tolerance is set")
         elif not row.within:
-            outcome(case, "fail", f"{row.error_percent:+.1f} %, tolerance {document.tolerance_percent:g} %")
+            outcome(
+                case, "fail", f"{signed(row.error_percent, 1)} %, tolerance {document.tolerance_percent:g} %"
+            )
     fill_counts(suite)
     return suite

@@ -193,15 +193,17 @@ def _unsure(criterion: CriterionResult, decimals: int, t: Translate) -> list[str
             ("U, k = 2", unsure.expanded),
             (t("guard band"), unsure.guard_band),
         )
-        remarks += [f"± {words.plain(v, 2)} {name}" for name, v in parts if v]
+        remarks += [f"± {words.significant(v, 2)} {name}" for name, v in parts if v]
         if unsure.false_accept is not None:
             share = unsure.false_accept * 100
-            remarks.append(f"{t('false accept')} {words.plain(share, 2) if share >= 0.01 else '< 0.01'} %")
+            remarks.append(
+                f"{t('false accept')} {words.significant(share, 2) if share >= 0.01 else '< 0.01'} %"
+            )
     if criterion.spread:
         spread = criterion.spread
         low, high = (words.fixed(v, decimals) for v in (spread.minimum, spread.maximum))
         remarks.append(t("{low} – {high} over {legs} legs", low=low, high=high, legs=spread.members))
-        remarks.append(f"{t('standard deviation')} {words.plain(spread.standard_deviation, 2)}")
+        remarks.append(f"{t('standard deviation')} {words.significant(spread.standard_deviation, 2)}")
         if spread.passing is not None:
             remarks.append(t("{percent} % of the legs pass", percent=f"{100 * spread.passing:.0f}"))
     return remarks

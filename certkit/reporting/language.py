@@ -17,6 +17,7 @@ from certkit.errors import UsageError
 from certkit.reasons import WORDS, Reason
 from certkit.reporting import language_list
 from certkit.reporting.language_list import FOLDER, languages
+from certkit.reporting.number_format import MINUS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -110,7 +111,16 @@ class _Sentence(string.Formatter):
             if format_spec == "and" and len(texts) > 1:
                 return self.spoken.word("{first} and {last}", first=comma.join(texts[:-1]), last=texts[-1])
             return {"join": "", "each": "; "}.get(format_spec, comma).join(texts)
-        return str(super().format_field(value, format_spec))
+        text = str(super().format_field(value, format_spec))
+        return _number_text(text) if isinstance(value, int | float) else text
+
+
+def _number_text(text: str) -> str:
+    """Return a number's text with a true minus, no sign of a zero, and no point behind the last digit."""
+    text = text.removesuffix(".")
+    if text.strip("+-0.%") == "":
+        return text.lstrip("+-")
+    return MINUS + text[1:] if text.startswith("-") else text
 
 
 @cache

@@ -5,23 +5,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from certkit.grading.relative_margin import relative_margin
 from certkit.reporting.language import Language, language
 from certkit.reporting.number_format import corridor, criterion_decimals, fixed
 
 if TYPE_CHECKING:
     from certkit.documents.result import CriterionResult, Result
-
-
-def relative_margin(criterion: CriterionResult) -> float | None:
-    """Return the margin as a share of half the corridor, or of the limit where there is only one."""
-    margin = criterion.margin
-    if margin is None or not math.isfinite(margin):
-        return None
-    if criterion.lower is not None and criterion.upper is not None:
-        size = (criterion.upper - criterion.lower) / 2
-    else:
-        size = abs(criterion.upper if criterion.upper is not None else criterion.lower or 0.0)
-    return margin / size if size > 0 else None
 
 
 def worst(result: Result) -> CriterionResult | None:

@@ -25,6 +25,8 @@ CONFIDENCE = {
     "estimated": "a judgement",
 }
 
+_PLACES = 6  # powers of ten from which on a number is written with its power
+
 _MEANINGS = {
     "pass": "All graded criteria lie inside their corridors.",
     "fail": "At least one criterion lies outside its corridor.",
@@ -62,8 +64,8 @@ def fixed(value: float | None, decimals: int) -> str:
 
 
 def signed(value: float | None, decimals: int) -> str:
-    """Write a difference likewise, with its sign."""
-    return ("+" if value is not None and value > 0 else "") + fixed(value, decimals)
+    """Write a difference likewise, with its sign; a zero has none."""
+    return _with_plus(fixed(value, decimals))
 
 
 def plain(value: float | None, digits: int = 6) -> str:
@@ -71,6 +73,28 @@ def plain(value: float | None, digits: int = 6) -> str:
     if value is None or not math.isfinite(value):
         return MISSING
     return f"{value:.{digits}g}".replace("-", MINUS)
+
+
+def significant(value: float | None, digits: int) -> str:
+    """Write a computed number with so many significant digits: `0.10`, `1.0`, `170`, never `1.7e+02`."""
+    if value is None or not math.isfinite(value):
+        return MISSING
+    rounded = float(f"{value:.{digits - 1}e}")
+    if rounded == 0:
+        return "0"
+    power = math.floor(math.log10(abs(rounded)))
+    if not -_PLACES <= power <= _PLACES:
+        return f"{rounded:.{digits - 1}e}".replace("-", MINUS)
+    return fixed(rounded, max(0, digits - 1 - power))
+
+
+def signed_significant(value: float | None, digits: int) -> str:
+    """Write a difference likewise, with its sign; a zero has none."""
+    return _with_plus(significant(value, digits))
+
+
+def _with_plus(text: str) -> str:
+    return text if text.startswith((MINUS, MISSING)) or not text.strip("0.") else f"+{text}"
 
 
 def decimals(unit: str, value: float | None) -> int:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from certkit.definitions.study import DESIGNS
 from certkit.reporting.charts.study_charts import dots, tornado
 from certkit.reporting.language import ENGLISH, language
+from certkit.reporting.number_format import plain
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def _range(factor: VariedParameter, t: Callable[..., str]) -> dict[str, str]:
         words = ", ".join(_quantity(entry, factor.unit) for entry in factor.entries)
     else:
         low, high = factor.low or 0.0, factor.high or 0.0
-        ends = t("{low} to {high}", low=f"{low:.6g}", high=f"{high:.6g}")
+        ends = t("{low} to {high}", low=plain(low), high=plain(high))
         words = f"{_quantity(ends, factor.unit, word=False)}, {t(factor.distribution)}"
     nominal = "–" if factor.nominal is None else _quantity(factor.nominal, factor.unit, word=False)
     return {"name": factor.name, "range": words, "nominal": nominal}

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.reporting.number_format import MISSING, fixed, plain, signed, signed_significant, significant
 from certkit.reporting.plaintext import aligned
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from certkit.documents.calibration_report import CalibrationReport
     from certkit.documents.optimum_report import OptimumReport
     from certkit.documents.rounding import FigureOrWord
@@ -33,7 +36,9 @@ def study_text(document: StudyReport) -> str:
     for output in dict.fromkeys(effect.output for effect in document.effects):
         if output in document.output_units:
             most = max((e for e in document.effects if e.output == output), key=lambda e: e.share)
-            rows.append((output, most.factor, f"{most.effect:+.4g}", document.output_units[output]))
+            rows.append(
+                (output, most.factor, signed_significant(most.effect, 4), document.output_units[output])
+            )
     return f"{aligned(heads, rows, right=(2,))}\n{runs}"
 
 
@@ -44,7 +49,7 @@ def optimum_text(document: OptimumReport) -> str:
         if document.keeps_all_limits
         else "no settings keep all limits with the margin"
     )
-    tight = f"tightest limit: {100 * document.slack:+.1f} % of it beyond what is needed"
+    tight = f"tightest limit: {signed(100 * document.slack, 1)} % of it beyond what is needed"
     settings = (f"--set '{setting}'" for setting in document.settings)
     return "\n".join([f"{head} ({document.runs} runs); {tight}", *settings])
 
@@ -56,7 +61,7 @@ def calibration_text(document: CalibrationReport) -> str:
     """Return the values before and after, and how well the parameters are known."""
     heads = ("value", "should be", "before", "after", "unit", "distance")
     rows = [
-        (v.name, f"{v.aim:.4g}", _figure(v.before), _figure(v.after), v.unit, f"{v.distance_after:+.2f}")
+        (v.name, plain(v.aim, 4), _figure(v.before), _figure(v.after), v.unit, signed(v.distance_after, 2))
         for v in document.values
     ]
     before, after = document.rms_before, document.rms_after
@@ -64,13 +69,13 @@ def calibration_text(document: CalibrationReport) -> str:
     curves = [
         (
             curve.name,
-            _figure(curve.before.rms_percent, ".1f"),
-            _figure(curve.after.rms_percent, ".1f"),
+            _figure(curve.before.rms_percent, fixed, 1),
+            _figure(curve.after.rms_percent, fixed, 1),
             _figure(curve.recorded_peak),
             _figure(curve.after.peak),
             curve.unit,
-            _figure(curve.after.peak_error_percent, "+.1f"),
-            _figure(curve.after.time_error_ms, "+.1f"),
+            _figure(curve.after.peak_error_percent, signed, 1),
+            _figure(curve.after.time_error_ms, signed, 1),
         )
         for curve in document.curves
     ]
@@ -84,7 +89,7 @@ def calibration_text(document: CalibrationReport) -> str:
     if left_out:
         errors = [100 * (float(v.left_out or 0.0) / v.aim - 1) for v in left_out]
         rms = (sum(error**2 for error in errors) / len(errors)) ** 0.5
-        each = ", ".join(f"{v.name} {error:+.1f} %" for v, error in zip(left_out, errors, strict=True))
+        each = ", ".join(f"{v.name} {signed(error, 1)} %" for v, error in zip(left_out, errors, strict=True))
         lines.append(f"each value predicted by the others: {rms:.1f} % rms ({each})")
     if document.basins:
         reached = ", ".join(f"{basin.rms:.3f}" for basin in document.basins)
@@ -102,5 +107,7 @@ def calibration_text(document: CalibrationReport) -> str:
     return "\n".join(lines)
 
 
-def _figure(value: FigureOrWord | None, form: str = ".4g") -> str:
-    return format(value, form) if isinstance(value, float) else "–"
+def _figure(
+    value: FigureOrWord | None, form: Callable[[float | None, int], str] = significant, digits: int = 4
+) -> str:
+    return form(value, digits) if isinstance(value, float) else MISSING

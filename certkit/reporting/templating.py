@@ -56,6 +56,9 @@ def _environment(code: str) -> SandboxedEnvironment:
     environment.filters |= {
         "plain": words.plain,
         "fixed": words.fixed,
+        "signed": words.signed,
+        "significant": words.significant,
+        "signed_significant": words.signed_significant,
         "shown": words.shown,
         "milliseconds": words.milliseconds,
         "stamp_width": _stamp_width,

@@ -7,7 +7,7 @@ import os
 import sys
 from typing import TYPE_CHECKING, TextIO, TypeAlias
 
-from certkit.reporting.margins import relative_margin
+from certkit.grading.relative_margin import relative_margin
 from certkit.reporting.number_format import fixed
 from certkit.reporting.plaintext import aligned
 

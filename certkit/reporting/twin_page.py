@@ -50,9 +50,9 @@ def _drawing(curve: TwinCurve, spoken: Language) -> Drawing:
 
 def change(finding: PartFinding, spoken: Language) -> str:
     """Return a part's change with its interval: `−7.9 % (−8.8 to −7.1)`."""
-    low, high = words.plain(finding.lower, 2), words.plain(finding.upper, 2)
+    low, high = words.significant(finding.lower, 2), words.significant(finding.upper, 2)
     ends = spoken.word("{low} to {high}", low=low, high=high)
-    return f"{words.plain(finding.change, 2)} {finding.unit} ({ends})"
+    return f"{words.significant(finding.change, 2)} {finding.unit} ({ends})"
 
 
 def said(test: TwinTest, spoken: Language) -> str:
@@ -81,17 +81,16 @@ def twin_text(document: TwinReport) -> str:
         rows = [
             (
                 finding.part,
-                words.plain(finding.change, 2),
+                words.significant(finding.change, 2),
                 finding.unit,
-                f"{words.plain(finding.lower, 2)} to {words.plain(finding.upper, 2)}",
+                f"{words.significant(finding.lower, 2)} to {words.significant(finding.upper, 2)}",
                 f"{words.fixed(100 * finding.explained, 0)} %",
-                words.plain(finding.misfit, 2),
+                words.significant(finding.misfit, 2),
             )
             for finding in test.findings[:SHOWN]
         ]
         heads = ("part", "change", "", "95 % interval", "explains", "left per sample")
-        head = (
-            f"{test.procedure} of {test.day}, {test.id}: deviation {words.plain(test.misfit, 2)} per sample"
-        )
+        misfit = words.significant(test.misfit, 2)
+        head = f"{test.procedure} of {test.day}, {test.id}: deviation {misfit} per sample"
         parts += [f"{head}\n{said(test, language())}", aligned(heads, rows, right=(1, 4, 5))]
     return "\n\n".join([*parts, "\n".join(f"! {remark}" for remark in document.remarks)])

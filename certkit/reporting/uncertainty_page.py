@@ -43,10 +43,10 @@ def uncertainty_text(document: UncertaintyReport) -> str:
         (
             each.criterion,
             words.shown(each.value, each.unit),
-            words.plain(each.expanded, 2),
-            words.plain(each.simulated, 2),
+            words.significant(each.expanded, 2),
+            words.significant(each.simulated, 2),
             each.unit,
-            words.plain(each.allowed, 2),
+            words.significant(each.allowed, 2),
             each.lines[0].name if each.lines else "",
             f"{words.fixed(100 * each.lines[0].share, 0)} %" if each.lines else "",
             advice(each, language().word),

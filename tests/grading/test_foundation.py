@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 import certkit
+from certkit.reporting.margins import worst
 
 MEASURED = Path(__file__).parents[2] / "examples/measured/FLX-0007-pendulum.zip"
 PROCEDURES = Path(__file__).parents[2] / "procedures"
@@ -22,6 +25,13 @@ def test_a_measured_pass_says_its_peaks_its_limits_and_its_conditions():
     assert "7 peaks inside the record" in result.remarks[0]
     assert "r127-pendulum" in result.remarks[1]
     assert "temperature" in result.remarks[2]
+
+
+@pytest.mark.parametrize("procedure", ["pendulum", "inverse"])
+def test_the_criterion_that_is_called_nearest_is_the_one_that_pages_call_so(procedure: str):
+    result = certkit.run(procedure, refine=False)
+    assert result.verdict == "pass"
+    assert result.coded_remarks[0].parameters["criterion"] == worst(result).id
 
 
 def test_a_simulated_pass_says_that_its_model_was_fitted_to_these_very_corridors():

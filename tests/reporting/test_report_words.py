@@ -7,8 +7,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from certkit.documents.result import CriterionResult, Result
+from certkit.grading.relative_margin import relative_margin
+from certkit.reasons import Reason
 from certkit.reporting import number_format as words
-from certkit.reporting.margins import margin_words, nearest_words, relative_margin, tally, worst
+from certkit.reporting.language import language
+from certkit.reporting.margins import margin_words, nearest_words, tally, worst
+from certkit.reporting.templating import folder
 
 
 def criterion(**changes: object) -> CriterionResult:
@@ -20,6 +24,32 @@ def criterion(**changes: object) -> CriterionResult:
 def test_minus_is_a_minus_sign_and_zero_has_none():
     assert words.fixed(-1.25, 1) == "−1.2"
     assert words.fixed(-0.001, 1) == "0.0"
+
+
+@pytest.mark.parametrize(
+    ("value", "digits", "text"),
+    [
+        (172.3, 2, "170"),
+        (0.0996, 2, "0.10"),
+        (1.04, 2, "1.0"),
+        (-21.996, 4, "−22.00"),
+        (0.0, 3, "0"),
+        (3e-9, 2, "3.0e−09"),
+    ],
+)
+def test_a_computed_number_keeps_its_digits_and_has_no_power(value: float, digits: int, text: str):
+    assert words.significant(value, digits) == text
+
+
+def test_a_difference_has_its_sign_and_a_zero_none():
+    assert [words.signed(v, 1) for v in (0.26, -0.26, 0.02, -0.02, None)] == [
+        "+0.3",
+        "−0.3",
+        "0.0",
+        "0.0",
+        "–",
+    ]
+    assert words.signed_significant(12.9, 4) == "+12.90"
 
 
 @pytest.mark.parametrize("value", [None, math.nan, math.inf])
@@ -61,3 +91,17 @@ def test_the_nearest_criterion_is_the_one_with_the_smallest_rated_margin(pendulu
 
 def test_the_tally_counts_what_is_missing(measured: Result):
     assert tally(measured).startswith("4 of 7 graded criteria within corridor; 1 fail; 1 conditional; 1 not")
+
+
+def test_a_sentence_writes_its_numbers_as_tables_do():
+    said = [
+        str(language().sentence(Reason.of("curve-size", peak=peak, area=area)))
+        for peak, area in ((-0.2, 0.3), (-12.0, 7.0))
+    ]
+    assert said == ["its peak is 0 %, its area 0 %", "its peak is −12 %, its area +7 %"]
+
+
+def test_templates_write_numbers_in_the_ways_of_number_format_alone():
+    templates = sorted(folder().rglob("*.j2"))
+    assert templates
+    assert [path.name for path in templates if "|format(" in path.read_text("utf-8")] == []

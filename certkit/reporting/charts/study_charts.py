@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.reporting.number_format import plain, signed_significant
 from certkit.reporting.palette import ACCENT, GRID, INK, LINE, MUTED, PENS
 from certkit.reporting.scales import Scale, span, ticks
 from certkit.reporting.svg import Drawing, label, number, tag
@@ -35,7 +36,7 @@ def tornado(rows: Sequence[tuple[str, float, float | None, float | None]], title
     bottom = height - 34
     parts = [
         tag("line", x1=scale(value), x2=scale(value), y1=16.0, y2=bottom, stroke=GRID)
-        + label(scale(value), bottom + 14, f"{value:g}", text_anchor="middle", fill=MUTED)
+        + label(scale(value), bottom + 14, plain(value), text_anchor="middle", fill=MUTED)
         for value in ticks(low, high)
     ]
     for index, (name, effect, lower, upper) in enumerate(rows):
@@ -57,7 +58,7 @@ def tornado(rows: Sequence[tuple[str, float, float | None, float | None]], title
                     stroke_width=1.5,
                 )
             )
-        parts.append(label(WIDTH - 12, top + 12, f"{effect:+.3g}", text_anchor="end", fill=INK))
+        parts.append(label(WIDTH - 12, top + 12, signed_significant(effect, 3), text_anchor="end", fill=INK))
     parts.append(tag("line", x1=scale(0.0), x2=scale(0.0), y1=14.0, y2=bottom, stroke=INK))
     parts.append(label((NAMES + WIDTH - FIGURES) / 2, height - 4, below, text_anchor="middle"))
     return Drawing(WIDTH, height, "".join(parts), title)
@@ -87,12 +88,12 @@ def dots(
     up = Scale(*span([*y, *(b for _, b in line)]), bottom, top)
     parts = [
         tag("line", x1=across(v), x2=across(v), y1=top, y2=bottom, stroke=GRID)
-        + label(across(v), bottom + 14, f"{v:g}", text_anchor="middle", fill=MUTED, font_size="10")
+        + label(across(v), bottom + 14, plain(v), text_anchor="middle", fill=MUTED, font_size="10")
         for v in ticks(across.low, across.high, 5)
     ]
     parts += [
         tag("line", x1=left, x2=width - 8, y1=up(v), y2=up(v), stroke=GRID)
-        + label(left - 5, up(v) + 3.5, f"{v:g}", text_anchor="end", fill=MUTED, font_size="10")
+        + label(left - 5, up(v) + 3.5, plain(v), text_anchor="end", fill=MUTED, font_size="10")
         for v in ticks(up.low, up.high, 5)
     ]
     parts.append(

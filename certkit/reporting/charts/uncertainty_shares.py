@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
-from certkit.reporting.number_format import plain
+from certkit.reporting.number_format import significant
 from certkit.reporting.svg import Drawing, label, tag
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def uncertainty_shares_chart(document: UncertaintyReport, t: Callable[..., str])
                         fill=palette.PAPER,
                     )
             place += width
-        drawn += label(_LEFT + length + 10, top + 13, f"U = {plain(each.expanded, 2)} {each.unit}")
+        drawn += label(_LEFT + length + 10, top + 13, f"U = {significant(each.expanded, 2)} {each.unit}")
     below = _TOP + len(document.criteria) * _ROW + 10
     columns = max(1, int(WIDTH // _LEGEND_WIDTH))
     for number, name in enumerate(names):
