@@ -17,11 +17,12 @@ from certkit.documents.round_robin_report import (
 from certkit.errors import DataError, UsageError
 from certkit.grading.interlaboratory import precision, robust_mean, statistics_by_laboratory
 from certkit.logbooks.logbook_entry import entry_of, serial_key
+from certkit.logbooks.same_blow import shared_channels
 from certkit.reasons import Reason
 from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
     from pathlib import Path
 
     from certkit.documents.result import CriterionResult, Result
@@ -59,7 +60,7 @@ def round_robin(
     ------
     DataError
         When a certificate is damaged, was changed, does not come to its values when it is graded again,
-        names no laboratory, legform or day, is no measured test, or is there twice; all of them at once.
+        names no laboratory, legform or day, is no measured test, or has the samples of another; all at once.
     UsageError
         When fewer than two laboratories are left, or one to leave out is not there.
     """
@@ -115,6 +116,7 @@ def _read(certificates: Sequence[str | Path], *, unverified: bool) -> list[tuple
                 if same in places:
                     faults.append(f"{place}: the test that {places[same]} has too; name each test once")
                     continue
+                faults += _used_before(place, entry, zip(places.values(), found, strict=True))
                 places[same] = place
                 faults += _wrong_values(place, result)
                 found.append((name, entry, result))
@@ -123,6 +125,19 @@ def _read(certificates: Sequence[str | Path], *, unverified: bool) -> list[tuple
     if faults:
         raise DataError("\n".join(faults))
     return found
+
+
+def _used_before(
+    place: str, entry: LogbookEntry, others: Iterable[tuple[str, tuple[str, LogbookEntry, Result]]]
+) -> list[str]:
+    """Say whose samples a test has, where another one has them too."""
+    for there, (_, other, _) in others:
+        same = shared_channels(entry.channels, other.channels)
+        if same:
+            return [
+                f"{place}: {same} are sample by sample those of {there}; one blow is one test: leave one out"
+            ]
+    return []
 
 
 def _wrong_values(place: str, result: Result) -> list[str]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from certkit.errors import DataError
+from certkit.logbooks.same_blow import channel_digests
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -61,6 +62,8 @@ class LogbookEntry(Struct, frozen=True):
         Id or number of the report that this one replaces; empty for a first report.
     laboratory : str
         Who reported it.
+    channels : tuple of str
+        Digests of what was recorded, see `channel_digests`.
     """
 
     id: str
@@ -75,6 +78,7 @@ class LogbookEntry(Struct, frozen=True):
     revision: int = 0
     replaces: str = ""
     laboratory: str = ""
+    channels: tuple[str, ...] = ()
 
     def takes_the_place_of(self, earlier: LogbookEntry) -> bool:
         """Tell whether this report replaces another: it names its id, or an earlier revision's number."""
@@ -149,4 +153,5 @@ def entry_of(result: Result, place: str) -> LogbookEntry:
         replaces=str(told.get("replaces") or "").strip(),
         laboratory=str(header.get("laboratory") or ""),
         recordings=tuple(sorted(i.sha256 for i in result.provenance.inputs if i.role == "recording")),
+        channels=channel_digests(result),
     )

@@ -24,6 +24,7 @@ from certkit.files import write_whole
 from certkit.files.bounded import read_bounded
 from certkit.files.whole_file import remove_leftovers
 from certkit.logbooks.logbook_entry import LogbookEntry, Reading, entry_of, replacements, serial_key
+from certkit.logbooks.same_blow import shared_channels
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 
 INDEX = "index.json"
 DOCUMENTS = "results"
-SCHEMA = "certkit-logbook-index/1"
+SCHEMA = "certkit-logbook-index/2"
 
 
 class Logbook(Struct, frozen=True):
@@ -209,6 +210,7 @@ def _entry(fields: dict[str, Any]) -> LogbookEntry:
             "day": date.fromisoformat(fields["day"]),
             "readings": tuple(Reading(**reading) for reading in fields["readings"]),
             "recordings": tuple(fields["recordings"]),
+            "channels": tuple(fields["channels"]),
         }
     )
 
@@ -228,8 +230,13 @@ def _refuse_second_gradings(
     kept = list(kept)
     replaced = replacements((*kept, *(entry for entry, _, _ in read)))
     held = {entry.test_key: entry for entry in kept if entry.recordings and entry.id not in replaced}
+    before: list[LogbookEntry] = []
     for entry, _, path in read:
-        if not entry.recordings or entry.id in replaced:
+        if entry.id in replaced:
+            continue
+        _refuse_second_use(entry, path, [each for each in (*kept, *before) if each.id not in replaced])
+        before.append(entry)
+        if not entry.recordings:
             continue
         other = held.setdefault(entry.test_key, entry)
         if other.id != entry.id:
@@ -237,6 +244,20 @@ def _refuse_second_gradings(
                 f"{path}: this recording is in the logbook already, as {other.id} ({other.procedure}, "
                 f"{other.day}, {other.verdict}); to book another grading, amend that one (`replaces` in "
                 f"the laboratory's file), or take it out of `{DOCUMENTS}/`"
+            )
+
+
+def _refuse_second_use(entry: LogbookEntry, path: Path, others: Iterable[LogbookEntry]) -> None:
+    """Refuse the samples of a test that is there under another number, day or legform."""
+    for other in others:
+        if other.id == entry.id or (other.recordings and other.test_key == entry.test_key):
+            continue
+        same = shared_channels(entry.channels, other.channels)
+        if same:
+            raise DataError(
+                f"{path}: {same} are sample by sample those of {other.id} ({other.serial}, "
+                f"{other.procedure}, {other.day}, number {other.number or 'none'}); one blow is one test: "
+                f"grade the right recording, or amend that report (`replaces` in the laboratory's file)"
             )
 
 
