@@ -11,7 +11,7 @@ from certkit.bench.grade_measurement import grade
 from certkit.bench.regrade import embedded_channels
 from certkit.bench.results_at_path import result_at
 from certkit.bench.run_simulation import run
-from certkit.definitions.units import UNITS, dimensions, parse_quantity
+from certkit.definitions.units import UNITS, dimensions, from_si, parse_quantity
 from certkit.documents.campaign_report import PointValue, SourceReport
 from certkit.documents.result import InputFile, Result
 from certkit.documents.unverified import MARK, is_marked
@@ -215,4 +215,4 @@ def _predicted(name: str, text: str) -> PointValue:
     dimension = next(each for each in dimensions(text) if each not in {"ratio", "count"})
     shown = {"moment": "N·m", "length": "mm", "angle": "deg", "force": "N"}
     unit = shown.get(dimension, next(iter(UNITS[dimension])))
-    return PointValue(id=name, value=parse_quantity(text, dimension) / UNITS[dimension][unit], unit=unit)
+    return PointValue(id=name, value=from_si(parse_quantity(text, dimension), dimension, unit), unit=unit)

@@ -18,6 +18,7 @@ from certkit.grading import (
     measure_all,
     numerical_uncertainties,
 )
+from certkit.grading.asked_criterion import dimension_of
 from certkit.grading.front_limits import front_use
 from certkit.reasons import Reason
 from certkit.reporting.language import worded
@@ -162,10 +163,6 @@ def _decisive(setup: Setup) -> set[str]:
 
 
 def _floors(setup: Setup) -> dict[str, float]:
-    floors = {}
-    for criterion in setup.procedure.criteria:
-        kind = setup.legform.channel_table.find(
-            criterion.channel or (criterion.curve.y if criterion.curve else "")
-        )
-        floors[criterion.id] = SMALLEST.get(kind.dimension.unit, 0.0) if kind else 0.0
-    return floors
+    channels = setup.legform.channel_table
+    kinds = {criterion.id: dimension_of(criterion, channels) for criterion in setup.procedure.criteria}
+    return {name: SMALLEST.get(kind.unit, 0.0) if kind else 0.0 for name, kind in kinds.items()}

@@ -85,11 +85,9 @@ def parse_quantity(text: object, dimension: str) -> float:
         When it is no finite number, or has no unit of the dimension; says which units would do.
     """
     units = UNITS[dimension]
-    read = _number_and_unit(text)
+    read = split_quantity(text)
     if read is not None and read[1] in units:
-        value = read[0] * units[read[1]]
-        if dimension == "temperature" and read[1] in {"degC", "°C"}:
-            value += 273.15
+        value = read[0] * units[read[1]] + _offset(dimension, read[1])
         if math.isfinite(value):
             return value
         raise ValueError(
@@ -107,7 +105,16 @@ def parse_quantity(text: object, dimension: str) -> float:
     raise ValueError(message)
 
 
-def _number_and_unit(text: object) -> tuple[float, str] | None:
+def from_si(value: float, dimension: str, unit: str) -> float:
+    """Return an SI value in a unit of its dimension; both are keys of `UNITS`."""
+    return (value - _offset(dimension, unit)) / UNITS[dimension][unit]
+
+
+def _offset(dimension: str, unit: str) -> float:
+    return 273.15 if dimension == "temperature" and unit in {"degC", "°C"} else 0.0
+
+
+def split_quantity(text: object) -> tuple[float, str] | None:
     """Cut `25 mm` into 25.0 and `mm`; None when it is neither a number nor a text that begins with one."""
     if isinstance(text, bool) or not isinstance(text, (str, int, float)):
         return None
@@ -126,9 +133,15 @@ def _short(text: object) -> str:
     return said if len(said) <= LONGEST else f"{said[:LONGEST]}…"
 
 
+def unit_of(text: str) -> str:
+    """Return the unit that a quantity is written in; empty where it has none."""
+    read = split_quantity(text)
+    return "" if read is None else read[1]
+
+
 def dimensions(text: object) -> list[str]:
     """Return what a text can be a quantity of: `25 mm` of length, `3 g` of mass or acceleration."""
-    read = _number_and_unit(text)
+    read = split_quantity(text)
     if read is None or not math.isfinite(read[0]):
         return []
     return [dimension for dimension, units in UNITS.items() if read[1] in units]

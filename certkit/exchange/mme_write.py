@@ -6,7 +6,7 @@ import io
 import zipfile
 from typing import TYPE_CHECKING
 
-from certkit.definitions.units import UNITS
+from certkit.definitions.units import UNITS, from_si
 from certkit.errors import UsageError
 from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.mme_header import NOVALUE, OWN_SIMULATION
@@ -122,8 +122,7 @@ def _master(recording: Recording, header: Lookup[str, str], table: CodeTable) ->
     for word, value in sorted(recording.conditions.items()):
         known = table.conditions.get(word)
         if known is not None and known.descriptor is not None:
-            scale, offset = _shown(known.dimension, known.unit)
-            given.setdefault(known.descriptor, f"{(value - offset) / scale:.9g}")
+            given.setdefault(known.descriptor, f"{from_si(value, known.dimension, known.unit):.9g}")
         elif known is not None:
             unit = _SI_UNIT.get(known.dimension) or next(
                 u for u, scale in UNITS[known.dimension].items() if scale == 1.0
@@ -133,11 +132,6 @@ def _master(recording: Recording, header: Lookup[str, str], table: CodeTable) ->
     own = [_line("Comments", OWN_SIMULATION)] if recording.kind == "simulated" else []
     lines += [_line("Number of test objects", "1"), *own, *comments]
     return "".join(lines)
-
-
-def _shown(dimension: str, unit: str) -> tuple[float, float]:
-    """Return scale and offset of a unit: SI = shown × scale + offset."""
-    return UNITS[dimension][unit], 273.15 if unit in {"degC", "°C"} else 0.0
 
 
 def _channel(recording: Recording, channel: Channel, code: str) -> str:

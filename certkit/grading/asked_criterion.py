@@ -15,7 +15,7 @@ from certkit.grading.trace import ordinate
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from certkit.definitions.channels import ChannelTable
+    from certkit.definitions.channels import ChannelTable, Dimension
     from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.procedure import Criterion
 
@@ -56,9 +56,7 @@ def asked_criterion(
         When criterion and corridor do not fit together (kinds, units).
     """
     found = find_corridor(criterion, corridors, channels)
-    channel = channels.name(ordinate(criterion))
-    kind = channels.find(channel)
-    dimension = TIME if MEASURES[criterion.measure].quantity == "time" else kind.dimension if kind else None
+    dimension = dimension_of(criterion, channels)
     lower: float | None = None
     upper: float | None = None
     if isinstance(found, Corridor) and dimension is not None:
@@ -68,9 +66,17 @@ def asked_criterion(
     return AskedCriterion(
         id=criterion.id,
         title=criterion.title,
-        channel=channel,
+        channel=channels.name(ordinate(criterion)),
         unit="" if dimension is None else dimension.unit,
         lower=None if lower is None else lower * scale,
         upper=None if upper is None else upper * scale,
         graded=isinstance(found, Corridor) or found.required,
     )
+
+
+def dimension_of(criterion: Criterion, channels: ChannelTable) -> Dimension | None:
+    """Return the dimension of a criterion's value: time, or its channel's; None where that is unknown."""
+    if MEASURES[criterion.measure].quantity == "time":
+        return TIME
+    kind = channels.find(ordinate(criterion))
+    return None if kind is None else kind.dimension

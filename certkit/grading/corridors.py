@@ -12,7 +12,7 @@ from certkit.definitions.channels import TIME, Dimension
 from certkit.definitions.loading.channel_tables import default_channels
 from certkit.definitions.measures import MEASURES
 from certkit.errors import UsageError
-from certkit.grading.trace import quantity
+from certkit.grading.quantities import quantity
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:

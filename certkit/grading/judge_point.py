@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.documents.campaign_report import JudgedCriterion, JudgedPoint
 from certkit.documents.result import CriterionResult
 from certkit.documents.verdicts import worst
-from certkit.grading.scheme_terms import in_unit
+from certkit.grading.quantities import in_unit
 from certkit.grading.scores import grade_scores
 from certkit.reasons import Reason
 
@@ -145,14 +145,15 @@ def _score_rows(
                 continue
             change = {"criteria": [each], "full": full, "zero": zero, "also": [], "forfeit": None}
             (alone,), _ = grade_scores({name: score.model_copy(update=change)}, usable)
-            value, unit = usable[each].value or 0.0, values[each].unit
+            value, unit, where = usable[each].value or 0.0, values[each].unit, f"score {name}, {each}"
+            limit = in_unit(zero, unit, where)
             rows[each] = JudgedCriterion(
                 id=each,
                 unit=unit,
                 value=value,
-                limit=in_unit(zero, unit, each),
-                full=in_unit(full, unit, each),
-                percent=100.0 * value / in_unit(zero, unit, each),
+                limit=limit,
+                full=in_unit(full, unit, where),
+                percent=100.0 * value / limit,
                 share=alone.points / alone.maximum,
             )
     return list(rows.values())

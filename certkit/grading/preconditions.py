@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from certkit.definitions.units import UNITS, parse_quantity
+from certkit.definitions.units import from_si, parse_quantity, unit_of
 from certkit.documents.result import PreconditionResult
 from certkit.errors import UsageError
 from certkit.reasons import Reason
@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Precondition
     from certkit.signals import Recording
     from certkit.signals.recording import Kind
-
-KELVIN = 273.15
 
 OF_A_LABORATORY = frozenset({"temperature", "humidity", "soak time"})
 """Conditions of a laboratory's room, which a finite-element run does not have."""
@@ -52,12 +50,12 @@ def _applies(precondition: Precondition, kind: Kind) -> bool:
 
 def _grade(precondition: Precondition, value: float | None) -> PreconditionResult:
     lower, upper = (_read(precondition, text) for text in precondition.within)
-    unit, factor, offset = _unit(precondition)
+    dimension, unit = precondition.dimension, unit_of(precondition.within[1])
     row = {
         "quantity": precondition.quantity,
         "unit": unit,
-        "lower": (lower - offset) / factor,
-        "upper": (upper - offset) / factor,
+        "lower": from_si(lower, dimension, unit),
+        "upper": from_si(upper, dimension, unit),
     }
     if value is None or not math.isfinite(value):
         code = "condition-not-recorded" if value is None else "condition-not-finite"
@@ -73,7 +71,7 @@ def _grade(precondition: Precondition, value: float | None) -> PreconditionResul
     # Limits written in degrees or km/h have rounding of their own; a value on the limit is inside.
     slack = 1e-9 * max(abs(lower), abs(upper))
     inside = lower - slack <= value <= upper + slack
-    shown = (value - offset) / factor
+    shown = from_si(value, dimension, unit)
     first, last = precondition.within
     outside = Reason.of(
         "condition-outside",
@@ -97,13 +95,3 @@ def _read(precondition: Precondition, text: str) -> float:
         return parse_quantity(text, precondition.dimension)
     except (ValueError, KeyError) as error:
         raise UsageError(f"precondition {precondition.quantity}: {error}") from error
-
-
-def _unit(precondition: Precondition) -> tuple[str, float, float]:
-    """Return the unit that the limits are written in, with its factor and offset to SI."""
-    text = precondition.within[1]
-    written = text.strip().lstrip("+-0123456789.eE ")
-    units = UNITS[precondition.dimension]
-    unit = written if written in units else next(iter(units))
-    offset = KELVIN if precondition.dimension == "temperature" and unit != "K" else 0.0
-    return unit, units[unit], offset

@@ -10,11 +10,9 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from certkit.definitions.channels import DIMENSIONS
-from certkit.definitions.units import dimensions, parse_quantity
 from certkit.documents.result import Comparison, ComparisonRow
 from certkit.errors import UsageError
-from certkit.grading.trace import quantity
+from certkit.grading.quantities import in_unit
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -85,9 +83,10 @@ def compare(reference: Reference, criteria: Iterable[CriterionResult]) -> Compar
 
 
 def _row(reference: Reference, criterion: CriterionResult, text: str) -> ComparisonRow:
-    test = _shown(text, criterion, reference)
+    where = f"reference {reference.reference}, {criterion.id}"
+    test = in_unit(text, criterion.unit, where)
     printed = reference.published.get(criterion.id)
-    published = None if printed is None else _shown(printed, criterion, reference)
+    published = None if printed is None else in_unit(printed, criterion.unit, where)
     simulation = criterion.value
     if simulation is None:
         raise UsageError(f"criterion {criterion.id} has no value to compare; leave it out of the reference")
@@ -100,17 +99,3 @@ def _row(reference: Reference, criterion: CriterionResult, text: str) -> Compari
         published=published,
         published_error_percent=None if published is None else whole_percent(error_percent(published, test)),
     )
-
-
-def _shown(text: str, criterion: CriterionResult, reference: Reference) -> float:
-    """Read a reference value and give it in the criterion's unit."""
-    where = f"reference {reference.reference}, {criterion.id}"
-    dimension = next((d for d in DIMENSIONS.values() if d.unit == criterion.unit), None)
-    if dimension is not None:
-        return quantity(text, dimension, where) * dimension.scale
-    for name in dimensions(text):
-        try:
-            return parse_quantity(text, name) / parse_quantity(f"1 {criterion.unit}", name)
-        except ValueError:
-            continue
-    raise UsageError(f"{where}: `{text}` cannot be given in {criterion.unit}; correct its unit")

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Literal
 
 from msgspec import Struct, field
 
-from certkit.definitions.units import UNITS, dimensions, parse_quantity
 from certkit.errors import UsageError
 from certkit.grading.half_up import half_up
+from certkit.grading.quantities import in_unit
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -95,7 +95,8 @@ class SchemeTerms(Struct, frozen=True):
                 f"scheme {self.scheme.scheme}: the window of {criterion} has no upper limit"
                 "; give its corridor one"
             )
-        return in_unit(window.upper, unit, criterion) * self.shares.get(criterion, self.share)
+        limit = in_unit(window.upper, unit, f"scheme {self.scheme.scheme}, {criterion}")
+        return limit * self.shares.get(criterion, self.share)
 
     def _window(self, criterion: str, *, relaxed: bool) -> ValueWindow:
         names = dict(self.scheme.limits or {})
@@ -125,17 +126,3 @@ class SchemeTerms(Struct, frozen=True):
             if (source := getattr(part, "source", None)) and (confidence := getattr(part, "confidence", None))
         }
         return list(found)
-
-
-def in_unit(text: str, unit: str, what: str) -> float:
-    """Return a quantity in a unit.
-
-    Raises
-    ------
-    UsageError
-        When it is another kind of quantity.
-    """
-    for dimension in dimensions(text):
-        if unit in UNITS[dimension]:
-            return parse_quantity(text, dimension) / UNITS[dimension][unit]
-    raise UsageError(f"`{text}` cannot be given in {unit}, the unit of {what}; correct its unit")

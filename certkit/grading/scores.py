@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from certkit.definitions.units import parse_quantity
 from certkit.documents.result import ScoreResult
 from certkit.errors import UsageError
 from certkit.grading.corridors import impactor_of, made_for
 from certkit.grading.half_up import band_borders, half_up
+from certkit.grading.quantities import in_unit
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -141,7 +141,7 @@ def _score(name: str, score: Score, criteria: Mapping[str, CriterionResult], sch
     worst = min(rated, key=lambda row: row.order)
     if score.forfeit is not None:
         for i in score.forfeit.criteria:
-            limit = _shown(score.forfeit.at, criteria[i], name)
+            limit = in_unit(score.forfeit.at, criteria[i].unit, f"score {name}, {i}")
             if _value(criteria[i]) >= limit:
                 last = len(score.shares) + 1 if score.shares else None
                 worst = _Rated(0.0, _value(criteria[i]), criteria[i], limit, limit, last)
@@ -168,7 +168,8 @@ def _score(name: str, score: Score, criteria: Mapping[str, CriterionResult], sch
 
 
 def _rate(name: str, score: Score, scale: SlidingScale, criterion: CriterionResult) -> _Rated:
-    full, zero = (_shown(text, criterion, name) for text in (scale.full, scale.zero))
+    where = f"score {name}, {criterion.id}"
+    full, zero = (in_unit(text, criterion.unit, where) for text in (scale.full, scale.zero))
     value = _value(criterion)
     if score.decimals is not None:
         value = half_up(value, score.decimals)
@@ -185,16 +186,3 @@ def _value(criterion: CriterionResult) -> float:
             f"criterion {criterion.id} has no value to be scored; leave the score out, or record the channel"
         )
     return criterion.value
-
-
-def _shown(text: str, criterion: CriterionResult, name: str) -> float:
-    """Read a score's value and give it in the criterion's unit."""
-    for dimension in ("moment", "length", "force", "angle", "acceleration", "time", "speed", "energy"):
-        try:
-            return parse_quantity(text, dimension) / parse_quantity(f"1 {criterion.unit}", dimension)
-        except ValueError:
-            continue
-    raise UsageError(
-        f"score {name}: `{text}` cannot be given in {criterion.unit}, the unit of {criterion.id}"
-        "; correct its unit"
-    )

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from certkit.definitions.channels import TIME, Dimension
-from certkit.definitions.units import parse_quantity
 from certkit.errors import UsageError
 from certkit.reasons import Reason, UnusableError
 
@@ -39,20 +38,6 @@ class EvaluationWindow(Struct, frozen=True):
 
     start: float
     end: float
-
-
-def quantity(text: str, dimension: Dimension, where: str) -> float:
-    """Read a quantity of a channel's dimension, SI.
-
-    Raises
-    ------
-    UsageError
-        When its unit is not one of the dimension; `where` says in which definition it stands.
-    """
-    try:
-        return parse_quantity(text, dimension.quantity)
-    except ValueError as error:
-        raise UsageError(f"{where}: {error}") from error
 
 
 def ordinate(criterion: Criterion) -> str:

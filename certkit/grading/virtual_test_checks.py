@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from certkit.definitions.units import UNITS, parse_quantity
+from certkit.definitions.units import dimensions, from_si, parse_quantity, unit_of
 from certkit.documents.result import PreconditionResult
 from certkit.reasons import Reason
 
@@ -64,16 +64,15 @@ def certification_check(name: str, certification: str | None) -> PreconditionRes
 
 def _row(name: str, window: ValueWindow, value: float | None) -> PreconditionResult:
     text = window.upper or window.lower or ""
-    dimension, unit = _unit(text)
-    factor = UNITS[dimension][unit]
+    dimension, unit = dimensions(text)[0], unit_of(text)
     lower, upper = (
         None if side is None else parse_quantity(side, dimension) for side in (window.lower, window.upper)
     )
     shown = {
         "quantity": name,
         "unit": unit,
-        "lower": None if lower is None else lower / factor,
-        "upper": None if upper is None else upper / factor,
+        "lower": None if lower is None else from_si(lower, dimension, unit),
+        "upper": None if upper is None else from_si(upper, dimension, unit),
         "confidence": window.confidence,
         "source": window.source or "",
     }
@@ -82,18 +81,11 @@ def _row(name: str, window: ValueWindow, value: float | None) -> PreconditionRes
         return PreconditionResult(value=None, verdict="not evaluated", coded_reason=reason, **shown)
     slack = SLACK * max(abs(side) for side in (lower, upper) if side is not None)
     inside = (lower is None or value >= lower - slack) and (upper is None or value <= upper + slack)
-    outside = Reason.of(
-        "run-outside", quantity=name, value=value / factor, unit=unit, limits=window.lines()[""]
-    )
+    figure = from_si(value, dimension, unit)
+    outside = Reason.of("run-outside", quantity=name, value=figure, unit=unit, limits=window.lines()[""])
     return PreconditionResult(
-        value=value / factor,
+        value=figure,
         verdict="pass" if inside else "fail",
         coded_reason=None if inside else outside,
         **shown,
     )
-
-
-def _unit(text: str) -> tuple[str, str]:
-    """Return dimension and unit of a limit: a ratio in per cent, or a time."""
-    written = text.strip().lstrip("+-0123456789.eE ")
-    return next(((d, written) for d in ("ratio", "time") if written in UNITS[d]), ("ratio", ""))

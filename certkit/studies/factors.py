@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, ClassVar, Literal
 
 from msgspec import Struct
 
+from certkit.definitions.units import split_quantity
 from certkit.errors import UsageError
-from certkit.studies.quantity import in_unit, share, split_quantity
+from certkit.studies.quantity import number_in, share
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -143,16 +144,16 @@ def factor_of(parameter: StudyParameter, nominals: Mapping[str, str]) -> Factor:
         return _levels(name, parameter.values, nominal)
     if parameter.triangular is not None:
         unit = _unit(parameter.triangular[0], name)
-        low, mode, high = (in_unit(value, unit, name) for value in parameter.triangular)
+        low, mode, high = (number_in(value, unit, name) for value in parameter.triangular)
         if not (low <= mode <= high and low < high):
             raise UsageError(f"{name}: `triangular` is lowest, likeliest, highest, in this order")
         return Factor(name, unit, Triangular(low, mode, high), _number(nominal, unit))
     if parameter.normal is not None:
         mean = parameter.normal.mean if parameter.normal.mean is not None else _known(nominal, name)
         unit = _unit(mean, name)
-        middle = in_unit(mean, unit, name)
+        middle = number_in(mean, unit, name)
         part = share(parameter.normal.sd) if unit != "%" else None
-        sd = abs(middle) * part if part is not None else in_unit(parameter.normal.sd, unit, name)
+        sd = abs(middle) * part if part is not None else number_in(parameter.normal.sd, unit, name)
         if sd <= 0:
             raise UsageError(f"{name}: the standard deviation has to be above zero")
         return Factor(name, unit, NormalFactor(middle, sd), _number(nominal, unit))
@@ -163,13 +164,13 @@ def _uniform(parameter: StudyParameter, nominal: str | None) -> Factor:
     name, given = parameter.name, parameter.uniform
     if isinstance(given, list):
         unit = _unit(given[0], name)
-        low, high = (in_unit(value, unit, name) for value in given)
+        low, high = (number_in(value, unit, name) for value in given)
     else:
         part = share(given or "")
         if part is None:
             raise UsageError(f"{name}: `uniform` is [lowest, highest], or a share such as `10 %`")
         unit = _unit(_known(nominal, name), name)
-        middle = in_unit(_known(nominal, name), unit, name)
+        middle = number_in(_known(nominal, name), unit, name)
         low, high = sorted((middle * (1 - part), middle * (1 + part)))
     if not low < high:
         raise UsageError(f"{name}: the lowest value has to be below the highest; exchange the two")
@@ -182,7 +183,7 @@ def _levels(name: str, values: list[str | float], nominal: str | None) -> Factor
         return Factor(name, "", Levels(tuple(str(value) for value in values)), nominal)
     unit = _unit(values[0], name)
     return Factor(
-        name, unit, Levels(tuple(in_unit(value, unit, name) for value in values)), _number(nominal, unit)
+        name, unit, Levels(tuple(number_in(value, unit, name) for value in values)), _number(nominal, unit)
     )
 
 

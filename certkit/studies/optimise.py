@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from msgspec import Struct, field
 
-from certkit.definitions.corridor_set import ValueWindow
 from certkit.errors import RunError, UsageError
-from certkit.grading.corridors import Corridor, find_corridor, limits
+from certkit.grading.asked_criterion import asked_criterion
 from certkit.studies.check_runs import check_runs
 from certkit.studies.designs.shares import at_shares
 from certkit.studies.factors import Factor, Uniform
@@ -111,19 +110,9 @@ def limits_of(trial: Trial) -> dict[str, Limit]:
         setup = trial.prepared(name, {})
         channels = setup.legform.channel_table
         for criterion in setup.procedure.criteria:
-            corridor = find_corridor(criterion, setup.corridors, channels)
-            kind = channels.find(criterion.channel or "")
-            if (
-                kind is None
-                or not isinstance(corridor, Corridor)
-                or not isinstance(corridor.entry, ValueWindow)
-            ):
-                continue
-            lower, upper = (
-                None if side is None else side * kind.dimension.scale
-                for side in limits(corridor, corridor.entry, kind.dimension)
-            )
-            found[f"{name}/{criterion.id}"] = Limit(lower, upper)
+            asked = asked_criterion(criterion, setup.corridors, channels)
+            if (asked.lower, asked.upper) != (None, None):
+                found[f"{name}/{criterion.id}"] = Limit(asked.lower, asked.upper)
     if not found:
         raise UsageError("none of the procedures has a graded value: there are no limits to keep")
     return found

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.definitions.channels import ELONGATION, MOMENT
-from certkit.definitions.units import parse_quantity
+from certkit.definitions.units import parse_quantity, split_quantity
 from certkit.errors import UsageError
 from certkit.signals import Filtered
-from certkit.studies.quantity import share, split_quantity
+from certkit.studies.quantity import share
 from certkit.studies.trial import Trial
 
 if TYPE_CHECKING:

@@ -20,8 +20,9 @@ from certkit.bench.render_documents import render
 from certkit.bench.result_folder import refuse_other_name
 from certkit.definitions.loading.library import load
 from certkit.definitions.uncertainty_budget import UncertaintyBudget
+from certkit.definitions.units import split_quantity
 from certkit.documents.uncertainty_report import UncertaintyReport
-from certkit.errors import CertkitError, UsageError
+from certkit.errors import RunError, UsageError
 from certkit.files import write_whole
 from certkit.grading.asked_criterion import AskedCriterion, asked_criterion
 from certkit.grading.decision import COVERAGE
@@ -34,7 +35,7 @@ from certkit.studies.designs.latin_hypercube import latin_hypercube
 from certkit.studies.execution import USUAL, Execution
 from certkit.studies.factors import Factor, factor_of
 from certkit.studies.journal import forget
-from certkit.studies.quantity import share, split_quantity
+from certkit.studies.quantity import share
 from certkit.studies.run_study import JOURNAL
 from certkit.studies.runs import Runs
 from certkit.studies.trial import Trial
@@ -80,7 +81,7 @@ def uncertainty(
     ------
     DefinitionError, UsageError
         Before anything is run: a path, unit or channel does not fit.
-    CertkitError
+    RunError
         When the run with everything as it should be fails.
     """
     folders = [Path(each) for each in ([library] if isinstance(library, (str, Path)) else library)]
@@ -129,13 +130,13 @@ def _propagated(sheet: UncertaintyBudget, library: Sequence[Path], execution: Ex
     with Runs(trial, execution, context=trial.context) as runs:
         first, *others = runs([middle, *sides, *spread])
     if first.error:
-        raise CertkitError(
+        raise RunError(
             f"with everything as it should be, the run fails: {first.error}; correct the procedure first"
         )
     at_sides, scattered = others[: len(sides)], others[len(sides) :]
     failed = [outcome.error for outcome in at_sides if outcome.error]
     if failed:
-        raise CertkitError(
+        raise RunError(
             f"a run at the edge of a tolerance fails: {failed[0]}; narrow it, or correct the procedure"
         )
     chance = np.random.default_rng(sheet.seed)

@@ -1,21 +1,12 @@
-"""Quantities of any dimension: a number and its unit, which only the definitions need to know."""
+"""Quantities of a study in the unit that they are written in, which only the definitions need to know."""
 
 from __future__ import annotations
 
-import re
-
+from certkit.definitions.units import split_quantity
 from certkit.errors import UsageError
 
-_QUANTITY = re.compile(r"^\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
 
-
-def split_quantity(text: str | float) -> tuple[float, str] | None:
-    """Cut `25 mm` into 25.0 and `mm`; None where it is a word."""
-    match = _QUANTITY.match(str(text))
-    return (float(match.group(1)), match.group(2)) if match else None
-
-
-def in_unit(text: str | float, unit: str, name: str) -> float:
+def number_in(text: str | float, unit: str, name: str) -> float:
     """Return the number of a quantity that has to be in `unit`.
 
     Raises

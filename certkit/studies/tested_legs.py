@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -10,11 +9,11 @@ from msgspec import Struct
 from certkit.bench.results_at_path import results_at
 from certkit.bench.setup import prepare
 from certkit.definitions.loading.library import load
+from certkit.definitions.units import dimensions, from_si, unit_of
 from certkit.documents.channel_curves import recording_of
-from certkit.errors import DataError, UsageError
+from certkit.errors import DataError
 from certkit.grading import measure_all
 from certkit.logbooks.logbook_entry import entry_of
-from certkit.studies.quantity import split_quantity
 from certkit.studies.trial import numbers_of
 
 if TYPE_CHECKING:
@@ -79,11 +78,5 @@ def _changes_of(result: Result, sheet: Diagnosis, library: Sequence[Path]) -> di
 
 def _written(value: float, like: str) -> str:
     """Write an SI value in the unit of another one."""
-    unit = (split_quantity(like) or (0.0, ""))[1]
-    scale = {"deg": math.degrees(1.0), "m/s": 1.0, "kg": 1.0, "mm": 1e3}.get(unit)
-    if scale is None:
-        raise UsageError(
-            f"a condition cannot be written in `{unit}`, as `{like}` is; leave it out of the "
-            "diagnosis' `conditions`"
-        )
-    return f"{value * scale!r} {unit}"
+    unit = unit_of(like)
+    return f"{from_si(value, dimensions(like)[0], unit)!r} {unit}"

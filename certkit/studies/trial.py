@@ -17,6 +17,7 @@ from certkit.definitions.loading.library import search_order
 from certkit.definitions.loading.old_forms import path_of_today
 from certkit.definitions.loading.search_path import RememberedStore
 from certkit.grading import grade_criteria, grade_quality, measure_all, overall
+from certkit.grading.asked_criterion import dimension_of
 from certkit.signals import Filtered
 from certkit.studies.quantity import written
 
@@ -138,13 +139,9 @@ class Trial(Struct, frozen=True, dict=True):
         for name in self.procedures:
             setup = self.prepared(name, {})
             for criterion in setup.procedure.criteria:
-                kind = setup.legform.channel_table.find(
-                    criterion.channel or (criterion.curve.y if criterion.curve else "")
-                )
+                kind = dimension_of(criterion, setup.legform.channel_table)
                 if kind is not None:
-                    units[f"{name}/{criterion.id}"] = units[f"{name}/{criterion.id} margin"] = (
-                        kind.dimension.unit
-                    )
+                    units[f"{name}/{criterion.id}"] = units[f"{name}/{criterion.id} margin"] = kind.unit
         return units
 
     def nominals(self, names: Iterable[str] = ()) -> dict[str, str]:

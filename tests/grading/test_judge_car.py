@@ -11,7 +11,7 @@ from certkit.documents.verdicts import worst
 from certkit.errors import UsageError
 from certkit.grading.judge_car import judge_car
 from certkit.grading.prediction_agreement import agreement
-from certkit.grading.scheme_terms import in_unit
+from certkit.grading.quantities import in_unit
 from certkit.reporting.language import worded
 
 

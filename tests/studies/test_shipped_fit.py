@@ -7,13 +7,13 @@ import pytest
 
 from certkit.definitions.legform_family import Member
 from certkit.definitions.loading.library import load
+from certkit.definitions.units import split_quantity
 from certkit.errors import UsageError
 from certkit.studies.calibration.fit import Task, calibrate, make_ready
 from certkit.studies.calibration.identifiability import knowledge
 from certkit.studies.calibration.parameter_space import axis_of
 from certkit.studies.calibration.search import Misfit, downhill
 from certkit.studies.points import Outputs
-from certkit.studies.quantity import split_quantity
 from certkit.studies.runs import Runs
 from certkit.studies.trial import Trial
 

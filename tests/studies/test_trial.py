@@ -6,6 +6,7 @@ import pickle
 from typing import TYPE_CHECKING
 
 from certkit.definitions.loading.search_path import shipped_root
+from certkit.studies.optimise import Limit, limits_of
 from certkit.studies.trial import Trial
 
 if TYPE_CHECKING:
@@ -45,3 +46,18 @@ def test_a_trial_that_has_read_its_files_reads_them_where_it_has_travelled_to() 
     there = pickle.loads(pickle.dumps(trial))  # noqa: S301  # our own bytes
     assert there == trial
     assert there.prepared("inverse", {}).procedure == trial.prepared("inverse", {}).procedure
+
+
+def test_a_time_is_in_milliseconds_whatever_channel_it_is_of(tmp_path: Path) -> None:
+    text = (shipped_root() / "procedures" / "inverse.yaml").read_text("utf-8")
+    own = "{id: when, title: When, channel: T1, measure: time of max, corridor: late/when}"
+    text = text.replace("procedure: inverse", "procedure: own").replace("criteria:", f"criteria:\n  - {own}")
+    (tmp_path / "own.yaml").write_text(text, encoding="utf-8")
+    (tmp_path / "late.yaml").write_text(
+        "corridors: late\ntitle: Late\norigin: {source: of this test, confidence: estimated}\n"
+        "windows: {when: {lower: 5 ms, upper: 30 ms}}\n",
+        encoding="utf-8",
+    )
+    trial = Trial(("own",), library=(str(tmp_path),))
+    assert trial.output_units()["own/when"] == "ms"
+    assert limits_of(trial)["own/when"] == Limit(5.0, 30.0)

@@ -9,7 +9,8 @@ import numpy as np
 from certkit.errors import DataError, UsageError
 from certkit.grading.measured_value import MeasuredValue
 from certkit.grading.measures.measure_method import MeasureMethod
-from certkit.grading.trace import quantity, trace_of
+from certkit.grading.quantities import quantity
+from certkit.grading.trace import trace_of
 from certkit.reasons import Reason, reason_of
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from certkit.definitions.loading.library import load
 from certkit.errors import RunError
 from certkit.studies.calibration.basins import spread_places
 from certkit.studies.calibration.search import Misfit
-from certkit.studies.quantity import in_unit
+from certkit.studies.quantity import number_in
 from certkit.studies.trial import scoped
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def _places_of(calibration: Calibration, family: str) -> list[NDArray[np.float64
             scope, path = scoped(axis.name)
             text = member.overrides(scope).get(path)
             if text is not None:
-                place[i] = axis.share(in_unit(text, axis.unit, axis.name))
+                place[i] = axis.share(number_in(text, axis.unit, axis.name))
         places.append(np.clip(place, INSIDE, 1 - INSIDE))
     return places
 

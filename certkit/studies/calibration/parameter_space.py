@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from msgspec import Struct
 
+from certkit.definitions.units import split_quantity
 from certkit.errors import UsageError
-from certkit.studies.quantity import in_unit, split_quantity
+from certkit.studies.quantity import number_in
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -100,8 +101,8 @@ def axis_of(parameter: FitParameter, nominals: Mapping[str, str]) -> Axis:
         raise UsageError(f"{name}: the definitions have no number of this path; `certkit show` lists them")
     found = split_quantity(parameter.lower)
     unit = found[1] if found else ""
-    low, high = in_unit(parameter.lower, unit, name), in_unit(parameter.upper, unit, name)
-    start = in_unit(written, unit, name)
+    low, high = number_in(parameter.lower, unit, name), number_in(parameter.upper, unit, name)
+    start = number_in(written, unit, name)
     if not low < high:
         raise UsageError(f"{name}: the lower bound has to be below the upper")
     if parameter.scale == "logarithmic" and low <= 0:
@@ -110,7 +111,7 @@ def axis_of(parameter: FitParameter, nominals: Mapping[str, str]) -> Axis:
         raise UsageError(f"{name}: it is {written} now, outside its bounds; widen them or change the start")
     prior = None
     if parameter.prior is not None:
-        prior = (in_unit(parameter.prior.mean, unit, name), in_unit(parameter.prior.sd, unit, name))
+        prior = (number_in(parameter.prior.mean, unit, name), number_in(parameter.prior.sd, unit, name))
     return Axis(name, unit, low, high, start, parameter.scale == "logarithmic", prior)
 
 

@@ -13,7 +13,7 @@ from certkit.definitions.channels import TIME
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.library import load
 from certkit.errors import UsageError
-from certkit.grading.trace import quantity
+from certkit.grading.quantities import quantity
 from certkit.signals import Filtered
 from certkit.studies.calibration.targets import Goal
 from certkit.studies.quantity import share

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from msgspec import Struct
 
-from certkit.definitions.corridor_set import ValueWindow
+from certkit.definitions.units import split_quantity
 from certkit.errors import UsageError
-from certkit.grading.corridors import Corridor, find_corridor, limits
-from certkit.studies.quantity import share, split_quantity
+from certkit.grading.asked_criterion import asked_criterion
+from certkit.studies.quantity import share
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -104,18 +104,12 @@ def goals_of(target: Target, setup: Setup) -> list[Goal]:
 
 
 def _corridor_goal(criterion: Criterion, target: Target, setup: Setup) -> Goal | None:
-    channels = setup.legform.channel_table
-    found = find_corridor(criterion, setup.corridors, channels)
-    kind = channels.find(criterion.channel or "")
-    if kind is None or not isinstance(found, Corridor) or not isinstance(found.entry, ValueWindow):
+    asked = asked_criterion(criterion, setup.corridors, setup.legform.channel_table)
+    if asked.lower is None or asked.upper is None:
         return None
-    lower, upper = limits(found, found.entry, kind.dimension)
-    if lower is None or upper is None:
-        return None
-    scale = kind.dimension.scale
     name = f"{target.procedure}/{criterion.id}"
-    middle, half = (lower + upper) / 2 * scale, (upper - lower) / 2 * scale
-    return Goal(name, middle, half, kind.dimension.unit, target.weight, graded=True)
+    middle, half = (asked.lower + asked.upper) / 2, (asked.upper - asked.lower) / 2
+    return Goal(name, middle, half, asked.unit, target.weight, graded=True)
 
 
 def _reference_goal(criterion: Criterion, target: Target, setup: Setup) -> Goal | None:

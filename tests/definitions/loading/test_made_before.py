@@ -13,9 +13,8 @@ from certkit.definitions.loading.overrides import change
 from certkit.definitions.loading.parameter_list import parameters
 from certkit.definitions.loading.validation import validate
 from certkit.definitions.loading.yaml_reader import read_tree
-from certkit.definitions.units import dimensions
+from certkit.definitions.units import dimensions, split_quantity
 from certkit.errors import DefinitionError
-from certkit.studies.quantity import split_quantity
 
 SHIPPED = [(kind, name) for kind in ("procedure", "legform", "vehicle") for name in names(kind)]
 
