@@ -12,7 +12,7 @@ from clock import Row, processor_seconds
 
 import certkit
 from certkit.definitions.loading.channel_tables import default_channels
-from certkit.exchange.channels_csv import write_csv
+from certkit.exchange.channels_csv import csv_text
 from certkit.exchange.mme_write import write_mme
 from certkit.signals import Channel, Recording
 
@@ -60,7 +60,7 @@ def rows() -> Iterator[Row]:
             table, archive = Path(folder, f"{number}.csv"), Path(folder, f"{number}.zip")
             if number < DISTINCT:
                 test = recording(number)
-                write_csv(test, table)
+                table.write_bytes(csv_text(test).encode())
                 write_mme(test, archive)
             else:
                 shutil.copyfile(Path(folder, f"{number % DISTINCT}.csv"), table)

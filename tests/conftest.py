@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 from support.command import Command
+from support.curves import write_csv
 from support.missing_parts import PANGO, excuse, pango_is_missing, skipped
 from support.pendulum_recording import pendulum_like
 
-from certkit.exchange.channels_csv import write_csv
 from certkit.exchange.mme_write import write_mme
 from certkit.signals import Recording
 

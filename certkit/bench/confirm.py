@@ -158,7 +158,6 @@ def open_confirmation(
     kind: str | None = None,
     title: str | None = None,
     document: str | Path | None = None,
-    day: str | None = None,
 ) -> ConfirmationSession:
     """Open the confirmation of a definition, a new one or one that was begun.
 
@@ -176,8 +175,6 @@ def open_confirmation(
         Title and edition of the text; needed when the confirmation is begun.
     document : str or Path, optional
         The text's file, whose hash is kept.
-    day : str, optional
-        Today when missing.
 
     Raises
     ------
@@ -196,7 +193,7 @@ def open_confirmation(
         folder,
         ReadText(title=title or "-" * 3),
         by.strip(),
-        day or datetime.now(tz=UTC).astimezone().date().isoformat(),
+        datetime.now(tz=UTC).astimezone().date().isoformat(),
     )
     if not 2 <= len(session.by) <= 200:
         raise UsageError("who reads? name the person with --by")

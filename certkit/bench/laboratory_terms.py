@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from certkit.bench.laboratory_files import read_files
 from certkit.bench.report_numbers import report_number
 from certkit.definitions.loading.channel_tables import default_channels
-from certkit.documents.result import PreconditionResult
+from certkit.documents.result import CALIBRATION, PreconditionResult
 from certkit.errors import DataError, DefinitionError, Problem
 from certkit.exchange.codes import code_table
 from certkit.exchange.conditions import Told, read_condition, together
@@ -128,7 +128,7 @@ def _calibration_checks(laboratory: Laboratory, day: date) -> tuple[Precondition
                 reason = Reason.of(f"equipment-{late}", equipment=named, **told)
         rows.append(
             PreconditionResult(
-                quantity=f"calibration left, {named}",
+                quantity=f"{CALIBRATION}{named}",
                 value=float(left),
                 unit="d",
                 lower=0.0,

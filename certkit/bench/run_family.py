@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.bench.run_simulation import run
+from certkit.bench.run_simulation import run, run_setup
+from certkit.bench.setup import prepare
 from certkit.definitions.loading.library import load
 from certkit.grading import with_spread
 from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
     from certkit.definitions.loading.library import Library
@@ -23,8 +23,6 @@ def run_family(
     *,
     library: Library = (),
     overrides: Overrides | None = None,
-    family: str | Path | None = None,
-    step: Callable[[str], None] | None = None,
 ) -> Result:
     """Run a procedure with the nominal leg and with every member of its family.
 
@@ -32,22 +30,17 @@ def run_family(
     ----------
     procedure, library, overrides
         As for `run`.
-    family : str or Path, optional
-        Name or file of the family; the one named like the procedure's legform when not given.
-    step : callable, optional
-        Called with each member's id before it runs, for progress.
 
     Returns
     -------
     Result
         The nominal leg's, each criterion with its spread over the certified legs.
     """
-    nominal = run(procedure, library=library, overrides=overrides)
-    legs = load("family", family or _legform_of(procedure, library, overrides), library=library).document
+    setup = prepare(procedure, library=library, overrides=overrides)
+    nominal = run_setup(setup, library=library)
+    legs = load("family", setup.legform.legform, library=library).document
     results = [nominal]
     for member in legs.members:
-        if step is not None:
-            step(member.id)
         changed = {**member.overrides(nominal.procedure), **(overrides or {})}
         results.append(_trusted_run(procedure, library, changed))
     return worded(with_spread(results))
@@ -60,9 +53,3 @@ def _trusted_run(procedure: str | Path, library: Library, overrides: Overrides) 
         return result
     half = {"run.time step": f"{result.quality.time_step / 2 * 1e6:g} µs"}
     return run(procedure, library=library, overrides={**overrides, **half}, refine=False)
-
-
-def _legform_of(procedure: str | Path, library: Library, overrides: Overrides | None) -> str:
-    from certkit.bench.setup import prepare  # noqa: PLC0415  # beside its only use
-
-    return prepare(procedure, library=library, overrides=overrides).legform.legform

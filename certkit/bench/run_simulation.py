@@ -141,7 +141,7 @@ def _refine(
     values = criterion_values(measured)
     halved = criterion_values(measure_all(setup.procedure, half.recording))
     iterated = criterion_values(measure_all(setup.procedure, patient.recording))
-    by_step = numerical_uncertainties([values, halved])
+    by_step = numerical_uncertainties(values, halved)
     uncertainties = {
         name: rounded_difference(by_step[name] + abs(after - before), of=before)
         for name, before in values.items()

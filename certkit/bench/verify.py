@@ -21,14 +21,14 @@ from certkit.bench.verify_attachments import attachment_checks, manifest_checks
 from certkit.bench.verify_campaign import campaign_checks
 from certkit.bench.verify_document import document_checks, table_check
 from certkit.bench.verify_grading import grading_checks
-from certkit.bench.verify_legform_certificate import LOGBOOK, legform_checks, logbook_check, page_check
+from certkit.bench.verify_legform_certificate import legform_checks, logbook_check, page_check
 from certkit.bench.verify_replacement import replacement_checks
 from certkit.bench.verify_reports import report_checks
 from certkit.bench.verify_reproduction import reproduction_checks
 from certkit.bench.verify_sources import definition_checks, source_checks
 from certkit.documents.campaign_report import CampaignReport
 from certkit.documents.document_kinds import document_in, documents_from
-from certkit.documents.legform_certificate import LegformCertificate
+from certkit.documents.legform_certificate import LOGBOOK, LegformCertificate
 from certkit.documents.result import Result
 from certkit.errors import DataError, OldFormWarning, UsageError
 from certkit.files.bounded import read_bounded

@@ -10,7 +10,7 @@ from certkit._version import __version__
 from certkit.bench.compare_documents import differences
 from certkit.bench.verification import Check, fails, holds, judged, unchecked
 from certkit.bench.verify_document import document_checks, of_another_certkit
-from certkit.documents.legform_certificate import LegformCertificate
+from certkit.documents.legform_certificate import LOGBOOK, LegformCertificate
 from certkit.errors import CertkitError
 from certkit.files.bounded import read_bounded
 from certkit.logbooks import Issue, certificate_of
@@ -21,9 +21,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.documents.result import Result
-
-LOGBOOK = "logbook.html"
-"""What the logbook is attached as."""
 
 FIELDS = ("serial", "legform", "day", "verdict", "coded_remarks", "rules", "next_due", "tests")
 """What follows from the results and the logbook, each told by itself."""

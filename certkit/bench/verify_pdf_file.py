@@ -57,9 +57,7 @@ def first_revision(content: bytes) -> bytes:
     return content[: ends[0]] + b"\n" if len(ends) > 1 else content
 
 
-def file_checks(
-    content: bytes, pages: Sequence[PdfPage], *, signatures: int = 0, links: bool = True
-) -> Iterator[Check]:
+def file_checks(content: bytes, pages: Sequence[PdfPage], *, signatures: int) -> Iterator[Check]:
     """Name what was appended to a PDF, laid over its pages, or hidden in it.
 
     Parameters
@@ -70,10 +68,8 @@ def file_checks(
         Its pages, as it is now.
     signatures : int
         How many signatures it has: each is an update, and a form field that covers nothing.
-    links : bool
-        Whether links within the file are usual.
     """
-    found = [*_appended(content, signatures), *_laid_over(pages, signatures, links=links), *_active(content)]
+    found = [*_appended(content, signatures), *_laid_over(pages, signatures), *_active(content)]
     if found:
         yield from found
     else:
@@ -116,7 +112,7 @@ def _appended(content: bytes, signatures: int) -> Iterator[Check]:
         yield fails(WHAT, "update-appended", count=updates - signatures)
 
 
-def _laid_over(pages: Sequence[PdfPage], signatures: int, *, links: bool) -> Iterator[Check]:
+def _laid_over(pages: Sequence[PdfPage], signatures: int) -> Iterator[Check]:
     fields = 0
     for number, page in enumerate(pages, 1):
         for each in page.annotations:
@@ -124,7 +120,7 @@ def _laid_over(pages: Sequence[PdfPage], signatures: int, *, links: bool) -> Ite
                 fields += 1
                 if each.covers or fields > signatures:
                     yield fails(WHAT, "form-field", page=number)
-            elif not (links and each.kind == "link"):
+            elif each.kind != "link":  # links within the file are usual
                 yield fails(WHAT, "annotation", page=number, kind=each.kind)
 
 

@@ -26,9 +26,9 @@ def _quantity(dimension: str) -> AfterValidator:
     return AfterValidator(check)
 
 
-Length = Annotated[str, _quantity("length")]
-Angle = Annotated[str, _quantity("angle")]
-Share = Annotated[str, _quantity("ratio")]
+LengthText = Annotated[str, _quantity("length")]
+AngleText = Annotated[str, _quantity("angle")]
+ShareText = Annotated[str, _quantity("ratio")]
 Quantities = Annotated[dict[str, str], Field(min_length=1, description="By criterion id: `T1: 256 N·m`.")]
 
 
@@ -118,13 +118,15 @@ class ImpactPoint(Document):
 
     point: Annotated[str, Field(min_length=1, max_length=24, description="Its name, such as `L+2`.")]
     across: Annotated[
-        Length,
+        LengthText,
         Field(description="From the car's middle; positive on the right from ahead."),
     ]
-    height: Annotated[Length | None, Field(description="Above the ground; the bumper's when missing.")] = None
-    angle: Annotated[Angle, Field(description="Of the velocity to the car's long axis, seen from above.")] = (
-        "0 deg"
-    )
+    height: Annotated[
+        LengthText | None, Field(description="Above the ground; the bumper's when missing.")
+    ] = None
+    angle: Annotated[
+        AngleText, Field(description="Of the velocity to the car's long axis, seen from above.")
+    ] = "0 deg"
     column: Annotated[
         int | None,
         Field(ge=-50, le=50, description="Of Euro NCAP's grid, as its workbook counts."),
@@ -149,12 +151,12 @@ class TestedCar(Document):
     """The car as the page draws it; what the schemes need of it is the test area and the symmetry."""
 
     name: str
-    width: Length = "1800 mm"
-    height: Length = "1450 mm"
-    bonnet_edge: Annotated[Length, Field(description="Height of the bonnet's leading edge.")] = "750 mm"
-    bumper: Annotated[Length, Field(description="Height of the bumper's middle.")] = "500 mm"
+    width: LengthText = "1800 mm"
+    height: LengthText = "1450 mm"
+    bonnet_edge: Annotated[LengthText, Field(description="Height of the bonnet's leading edge.")] = "750 mm"
+    bumper: Annotated[LengthText, Field(description="Height of the bumper's middle.")] = "500 mm"
     test_area: Annotated[
-        tuple[Length, Length] | None, Field(description="Where points may lie, across the car.")
+        tuple[LengthText, LengthText] | None, Field(description="Where points may lie, across the car.")
     ] = None
     symmetric: Annotated[bool, Field(description="Whether left and right are built alike.")] = False
 
@@ -163,8 +165,8 @@ class Targets(Document):
     """The maker's own targets, as shares of a scheme's limits."""
 
     of: Annotated[str, Field(description="A scheme of limits.")]
-    share: Share
-    criteria: Annotated[dict[str, Share], Field(description="Other shares, by criterion id.")] = {}
+    share: ShareText
+    criteria: Annotated[dict[str, ShareText], Field(description="Other shares, by criterion id.")] = {}
 
 
 class Campaign(Document):
@@ -176,7 +178,7 @@ class Campaign(Document):
     procedure: Annotated[str, Field(description="That recordings are graded by.")] = "vehicle"
     schemes: Annotated[list[str], Field(min_length=1, max_length=10, description="The first is drawn large.")]
     relaxed: Annotated[
-        list[tuple[Length, Length]],
+        list[tuple[LengthText, LengthText]],
         Field(max_length=50, description="Zones across the car that take a scheme's relaxed limits."),
     ] = []
     targets: Targets | None = None
@@ -184,7 +186,7 @@ class Campaign(Document):
         dict[str, float], Field(description="Points that a scheme has to give, by its name: a gate.")
     ] = {}
     agreement: Annotated[
-        Share | None, Field(description="Measured values may lie so far from predicted ones: a gate.")
+        ShareText | None, Field(description="Measured values may lie so far from predicted ones: a gate.")
     ] = None
     points: Annotated[list[ImpactPoint], Field(min_length=1, max_length=200)]
     replace: Annotated[list[Replacement], Field(max_length=200)] = []

@@ -31,7 +31,7 @@ class ValueWindow(CorridorEntry):
     ] = None
 
     @model_validator(mode="after")
-    def _hasorder_faults(self) -> Self:
+    def _has_order(self) -> Self:
         if self.lower is None and self.upper is None:
             raise Faults([((), "has neither `lower` nor `upper`; add at least one, with its unit")])
         if faults := order_faults(("lower", self.lower), ("upper", self.upper)):

@@ -79,7 +79,7 @@ class Number(float):
 
 
 class QuantityDimension:
-    """Makes pydantic read a `Number` of one dimension: `Annotated[Number, Dimension("length")]`.
+    """Makes pydantic read a `Number` of one dimension: `Annotated[Number, QuantityDimension("length")]`.
 
     In YAML the number is a mapping `{value: 25 mm, source: …, confidence: …}`, or just `25 mm` inside a
     section whose `origin` covers it (`certkit.definitions.base.Section` fills that in before validation).
@@ -166,7 +166,6 @@ Angle = Annotated[Number, QuantityDimension("angle")]
 Speed = Annotated[Number, QuantityDimension("speed")]
 Acceleration = Annotated[Number, QuantityDimension("acceleration")]
 Force = Annotated[Number, QuantityDimension("force")]
-Moment = Annotated[Number, QuantityDimension("moment")]
 Stiffness = Annotated[Number, QuantityDimension("stiffness")]
 Damping = Annotated[Number, QuantityDimension("damping")]
 RotationalStiffness = Annotated[Number, QuantityDimension("rotational stiffness")]

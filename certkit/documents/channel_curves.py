@@ -18,10 +18,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.definitions.channels import ChannelTable, Dimension
-    from certkit.documents.result import Kind as ResultKind
-    from certkit.documents.result import Result
+    from certkit.documents.result import Result, ResultKind
     from certkit.signals import Filtered
-    from certkit.signals.recording import Kind
+    from certkit.signals.recording import RecordingKind
 
 MOST_POINTS = 600
 """Points of a drawn curve; a page is about as many pixels wide."""
@@ -101,7 +100,7 @@ def raw_channels(recording: Recording) -> Histories | None:
     )
 
 
-RECORDED: dict[ResultKind, Kind] = {
+RECORDED: dict[ResultKind, RecordingKind] = {
     "virtual certification": "simulated",
     "virtual test": "virtual",
     "test evaluation": "measured",
@@ -115,14 +114,12 @@ def simulated_here(result: Result) -> bool:
     return result.kind == "virtual certification" and not recorded
 
 
-def recording_of(result: Result, source: str | None = None, table: ChannelTable | None = None) -> Recording:
+def recording_of(result: Result, table: ChannelTable | None = None) -> Recording:
     """Return the recording that a result document carries, so that it can be graded again.
 
     Parameters
     ----------
     result : Result
-    source : str, optional
-        Where it came from; the procedure's name when missing.
     table : ChannelTable, optional
         Channels of the legform that was tested; the shipped one's when missing.
 
@@ -150,7 +147,7 @@ def recording_of(result: Result, source: str | None = None, table: ChannelTable 
         time,
         channels,
         conditions=dict(result.conditions),
-        source=source or result.procedure,
+        source=result.procedure,
         table=known,
         from_solver=simulated_here(result),
     )

@@ -15,6 +15,9 @@ from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.result import Result, Verdict
 from certkit.reasons import Reason
 
+LOGBOOK = "logbook.html"
+"""What the logbook is attached to its PDF as."""
+
 
 class CertifiedTest(Part):
     """One test that the certificate rests on, or that is missing for it."""

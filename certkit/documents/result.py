@@ -19,7 +19,7 @@ from certkit.documents.rounding import Figure, Figures, Point, Points
 from certkit.reasons import Reason
 
 Verdict = Literal["pass", "fail", "conditional", "not evaluated", "error"]
-Kind = Literal["virtual certification", "virtual test", "test evaluation"]
+ResultKind = Literal["virtual certification", "virtual test", "test evaluation"]
 
 
 class Spread(Part):
@@ -92,6 +92,10 @@ class CriterionResult(Part):
     spread: Spread | None = None
     curve: CurveInPlane | None = None
     band: CorridorOverTime | None = None
+
+
+CALIBRATION = "calibration left, "
+"""Begins the quantity of a condition that is a calibration."""
 
 
 class PreconditionResult(Part):
@@ -265,7 +269,7 @@ class Result(CriteriaFrame, OutputDocument):
     made_by: ClassVar = "certkit run"
 
     schema_: Annotated[Literal["certkit-result/1"], Field(alias="schema")] = "certkit-result/1"
-    kind: Kind
+    kind: ResultKind
     procedure: Annotated[str, AfterValidator(plain_name)]
     title: str
     verdict: Verdict

@@ -35,13 +35,11 @@ from certkit.errors import DataError
 from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.conditions import Told, known_word, read_condition, together
 from certkit.exchange.csv_cells import harmless
-from certkit.files import write_whole
 from certkit.reasons import Reason
-from certkit.signals.recording import Kind
+from certkit.signals.recording import RecordingKind
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from pathlib import Path
 
     from certkit.definitions.channels import ChannelTable
     from certkit.documents.result import Result
@@ -49,7 +47,7 @@ if TYPE_CHECKING:
     from certkit.exchange.leniency import Leniency
     from certkit.signals.recording import Recording
 
-KINDS: tuple[Kind, ...] = get_args(Kind)
+KINDS: tuple[RecordingKind, ...] = get_args(RecordingKind)
 FILTER_WORDS: tuple[Filter, ...] = get_args(Filter)
 
 DIGITS = 9
@@ -73,7 +71,7 @@ class CsvHead(Struct, frozen=True):
         What was assumed because the head does not say it.
     """
 
-    kind: Kind
+    kind: RecordingKind
     time: TimeColumn
     columns: dict[str, Column]
     conditions: dict[str, Told] = field(default_factory=dict)
@@ -118,11 +116,6 @@ def csv_text(recording: Recording, *, procedure: str = "", result_id: str = "", 
     return (
         head + names.getvalue() + (re.sub(r"(?<![^,\n])nan(?![^,\n])", "", rows) if "nan" in rows else rows)
     )
-
-
-def write_csv(recording: Recording, path: Path, *, result_id: str = "") -> None:
-    """Write a recording as CSV; see `csv_text`."""
-    write_whole(path, csv_text(recording, result_id=result_id))
 
 
 def column_names(table: CsvTable) -> list[str]:
@@ -172,7 +165,7 @@ def read_head(table: CsvTable, known: ChannelTable, leniency: Leniency) -> CsvHe
     )
 
 
-def told_kind(table: CsvTable) -> Kind | None:
+def told_kind(table: CsvTable) -> RecordingKind | None:
     """Return the kind of test that a `# kind:` line names; None where there is none."""
     said, line = table.remarks.get("kind", ("", 0))
     if said and said not in KINDS:

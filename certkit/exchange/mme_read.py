@@ -29,7 +29,7 @@ from certkit.exchange.text import decode
 from certkit.exchange.timebase import common_base
 from certkit.files.limits import MAX_CHANNELS
 from certkit.reasons import Reason
-from certkit.signals.recording import Channel, Kind, Recording
+from certkit.signals.recording import Channel, Recording, RecordingKind
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -257,7 +257,7 @@ def _channels(
     return parts, notes
 
 
-def _kind(parts: Sequence[MmeChannel], header: Header, leniency: Leniency) -> Kind:
+def _kind(parts: Sequence[MmeChannel], header: Header, leniency: Leniency) -> RecordingKind:
     """Tell whether the channels were simulated, here or by others, or measured; they must agree."""
     simulated = [part for part in parts if part.simulated]
     if simulated and len(simulated) < len(parts):

@@ -16,7 +16,7 @@ _MARKS = (
 )
 
 
-def decode(data: bytes, place: str, encoding: str | None = None) -> tuple[str, str]:
+def decode(data: bytes, place: str) -> tuple[str, str]:
     r"""Decode a text file.
 
     The ladder: a byte order mark decides; else plain ASCII; else UTF-8; else Windows-1252, which reads the
@@ -37,7 +37,7 @@ def decode(data: bytes, place: str, encoding: str | None = None) -> tuple[str, s
             f"{place}: more than {MAX_LINES} lines or {MAX_TEXT_BYTES // MEGABYTE} MB of text are refused; "
             "cut the recording to the test"
         )
-    found = encoding or next((name for mark, name in _MARKS if data.startswith(mark)), None)
+    found = next((name for mark, name in _MARKS if data.startswith(mark)), None)
     if found is None and b"\0" in data:
         line = data[: data.index(b"\0")].count(b"\n") + 1
         raise DataError(
@@ -48,7 +48,7 @@ def decode(data: bytes, place: str, encoding: str | None = None) -> tuple[str, s
     try:
         text = data.decode(found)
     except UnicodeDecodeError as error:
-        if found != "utf-8" or encoding:
+        if found != "utf-8":
             line = data[: error.start].count(b"\n") + 1
             raise DataError(
                 f"{place}:{line}: not {found} text, as the start of the file says; save it again "

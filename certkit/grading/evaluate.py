@@ -29,13 +29,13 @@ if TYPE_CHECKING:
 
     from certkit.definitions.corridor_set import CorridorSet
     from certkit.definitions.procedure import Procedure
-    from certkit.documents.result import CriterionResult, Kind
+    from certkit.documents.result import CriterionResult, ResultKind
     from certkit.grading.measure_all import Measurements
     from certkit.reasons import Reason
-    from certkit.signals.recording import Kind as RecordingKind
+    from certkit.signals.recording import RecordingKind
 
 
-KINDS: dict[RecordingKind, Kind] = {
+KINDS: dict[RecordingKind, ResultKind] = {
     "simulated": "virtual certification",
     "virtual": "virtual test",
     "measured": "test evaluation",
@@ -82,7 +82,7 @@ def evaluate(
     )
     criteria = [grade_criterion(c, measured.values[c.id], judgement) for c in procedure.criteria]
     preconditions = [*grade_preconditions(procedure.preconditions, recording), *laboratory.checks]
-    kind: Kind = KINDS[recording.kind]
+    kind: ResultKind = KINDS[recording.kind]
     sound = {c.id: c for c in criteria if measured.values[c.id].doubt is None}
     scores, unscored = procedure_scores(procedure.score, terms.corridors, sound, recording.table)
     comparison = None if terms.reference is None else compare(terms.reference, criteria)
@@ -158,7 +158,7 @@ def grade_criteria(measured: Measurements, corridors: Mapping[str, CorridorSet])
 
 
 def _specimen(
-    kind: Kind, procedure: Procedure, simulated: SimulatedTerms, laboratory: LaboratoryTerms
+    kind: ResultKind, procedure: Procedure, simulated: SimulatedTerms, laboratory: LaboratoryTerms
 ) -> dict[str, str]:
     """Say what was on the rig; a simulated leg's title or the laboratory's serial number tells more."""
     specimen = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.documents.result import CALIBRATION
 from certkit.grading.relative_margin import relative_margin
 from certkit.reasons import Reason
 
@@ -12,10 +13,6 @@ if TYPE_CHECKING:
 
     from certkit.documents.result import CriterionResult, PreconditionResult
     from certkit.grading.measure_all import Measurements
-
-
-CALIBRATION = "calibration left, "
-"""Begins the quantity of a precondition that is a calibration; they are counted, not listed."""
 
 
 def foundation(
@@ -85,6 +82,7 @@ def _model(model: str, fitted: Sequence[Reason]) -> list[Reason]:
 
 
 def _conditions(preconditions: Sequence[PreconditionResult]) -> list[Reason]:
+    # Calibrations are counted, not listed.
     calibrations = [row for row in preconditions if row.quantity.startswith(CALIBRATION)]
     others = [row for row in preconditions if row not in calibrations]
     kept = [row.quantity for row in others if row.verdict == "pass"]

@@ -175,22 +175,6 @@ def grubbs_critical(level: float, laboratories: int) -> float:
     return (laboratories - 1) / math.sqrt(laboratories) * math.sqrt(square / (laboratories - 2 + square))
 
 
-def mandel_critical(level: float, laboratories: int, tests: int) -> tuple[float, float | None]:
-    """Return the critical |h| and k (ISO 5725-2, 8.3.3): p laboratories, n tests each.
-
-    h = (p − 1)·t / √(p(t² + p − 2)), t at 1 − level/2 with p − 2 degrees of freedom;
-    k = √(p / (1 + (p − 1) / F)), F at 1 − level with n − 1 and (p − 1)(n − 1). No k for single tests.
-    """
-    from scipy.stats import f, t  # noqa: PLC0415  # likewise
-
-    quantile = float(t.ppf(1 - level / 2, laboratories - 2))
-    h = (laboratories - 1) * quantile / math.sqrt(laboratories * (quantile**2 + laboratories - 2))
-    if tests < 2:  # a scatter needs two
-        return h, None
-    ratio = float(f.ppf(1 - level, tests - 1, (laboratories - 1) * (tests - 1)))
-    return h, math.sqrt(laboratories / (1 + (laboratories - 1) / ratio))
-
-
 def usual_count(tests: Mapping[str, Sequence[float]]) -> int:
     """Return the number of tests that most laboratories made; of equally many, the larger."""
     counts = [len(values) for values in tests.values()]

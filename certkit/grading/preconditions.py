@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from certkit.definitions.procedure import Precondition
     from certkit.signals import Recording
-    from certkit.signals.recording import Kind
+    from certkit.signals.recording import RecordingKind
 
 OF_A_LABORATORY = frozenset({"temperature", "humidity", "soak time"})
 """Conditions of a laboratory's room, which a finite-element run does not have."""
@@ -41,7 +41,7 @@ def grade_preconditions(
     ]
 
 
-def _applies(precondition: Precondition, kind: Kind) -> bool:
+def _applies(precondition: Precondition, kind: RecordingKind) -> bool:
     """Tell whether a precondition is asked of a recording; of a finite-element run all but the room's are."""
     if kind == "virtual" and precondition.applies_to == "measured":
         return precondition.quantity not in OF_A_LABORATORY

@@ -32,7 +32,7 @@ ROOM_LIMIT = 100.0
 """Percent of its room that a group may travel, and of its curve that an extracted spring may be shortened."""
 
 
-class Figures(Protocol):
+class QualityFigures(Protocol):
     """The quality figures that a simulation yields (`certkit.mechanics`)."""
 
     @property
@@ -61,18 +61,17 @@ class Figures(Protocol):
 
 
 def grade_quality(
-    figures: Figures,
+    figures: QualityFigures,
     *,
     step_change: StepChange | None = None,
     solver_seconds: float | None = None,
     front: FrontUse | None = None,
-    penetration_limit: float = PENETRATION_LIMIT,
 ) -> Quality:
     """Hold a run's quality figures against their limits.
 
     Parameters
     ----------
-    figures : Figures
+    figures : QualityFigures
     step_change : StepChange, optional
         Largest change of a criterion when the step is halved (`certkit.grading.refinement`); None when
         nobody looked.
@@ -80,8 +79,6 @@ def grade_quality(
         Processor time, for information.
     front : FrontUse, optional
         How far a vehicle's front went into its rooms and curves; None without a vehicle.
-    penetration_limit : float
-        Millimetres.
 
     Returns
     -------
@@ -94,7 +91,7 @@ def grade_quality(
         _check("energy-balance", figures.energy_error_percent, ENERGY_LIMIT, "%", smaller),
         _check("joint-gap", figures.joint_gap_mm, JOINT_GAP_LIMIT, "mm", smaller),
         _check(
-            "penetration", figures.penetration_mm, penetration_limit, "mm", Reason.of("stiffen-the-contacts")
+            "penetration", figures.penetration_mm, PENETRATION_LIMIT, "mm", Reason.of("stiffen-the-contacts")
         ),
     ]
     if figures.flesh_depth_percent:

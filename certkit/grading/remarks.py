@@ -16,15 +16,15 @@ if TYPE_CHECKING:
     from certkit.documents.result import (
         Comparison,
         CriterionResult,
-        Kind,
         Parameter,
         PreconditionResult,
         Quality,
         QualityCheck,
+        ResultKind,
     )
     from certkit.signals import Recording
 
-TITLES: dict[Kind, str] = {
+TITLES: dict[ResultKind, str] = {
     "virtual certification": "model-not-legform",
     "virtual test": "simulated-by-others",
     "test evaluation": "no-calibration-certificate",
@@ -33,7 +33,7 @@ TITLES: dict[Kind, str] = {
 
 
 def remarks(
-    kind: Kind,
+    kind: ResultKind,
     criteria: Sequence[CriterionResult],
     *,
     preconditions: Sequence[PreconditionResult] = (),

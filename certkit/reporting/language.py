@@ -157,6 +157,6 @@ def worded(document: Model, code: str = ENGLISH) -> Model:
     return with_words(document, language(code).sentence)
 
 
-def worded_reasons(reasons: Sequence[Reason], code: str = ENGLISH) -> list[Reason]:
-    """Return reasons with their words, as files that leave certkit hold them."""
-    return [reason.worded(language(code).sentence(reason)) for reason in reasons]
+def worded_reasons(reasons: Sequence[Reason]) -> list[Reason]:
+    """Return reasons with their English words, as files that leave certkit hold them."""
+    return [reason.worded(language().sentence(reason)) for reason in reasons]

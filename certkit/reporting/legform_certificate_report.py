@@ -6,6 +6,7 @@ from datetime import UTC, date, datetime, time
 from typing import TYPE_CHECKING, Any
 
 from certkit._version import __version__
+from certkit.documents.legform_certificate import LOGBOOK
 from certkit.reporting.attachments import Enclosure, manifest
 from certkit.reporting.laboratory_view import laboratory_view
 from certkit.reporting.language import ENGLISH, language, worded
@@ -20,8 +21,6 @@ if TYPE_CHECKING:
     from certkit.reporting.report_formats import Paper
 
 PAGE = "certificate.html"
-LOGBOOK = "logbook.html"
-"""The logbook with its curves, attached to the PDF as one file."""
 
 
 def certificate_page(document: LegformCertificate, spoken: str = ENGLISH) -> str:
@@ -48,7 +47,7 @@ def certificate_pdf(
     parts = [
         Enclosure(document.file_name, document.noun, document.to_json().encode(), "Data"),
         Enclosure(
-            LOGBOOK,
+            LOGBOOK,  # with its curves, as one file
             "logbook with its curves",
             logbook_page([document.logbook], spoken).encode(),
             "Supplement",

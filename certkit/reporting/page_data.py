@@ -62,7 +62,7 @@ def _channels(result: Result) -> list[dict[str, Any]]:
     found = []
     for name, criterion in ordered_channels(result).items():
         series = curves.series[name]
-        frame, peak, limits = history_frame(series, axis, criterion, width=360, height=200)
+        frame, peak, limits = history_frame(series, axis, criterion)
         decimals = words.decimals(series.unit, max((abs(v) for v in series.values), default=1.0))
         band = criterion.band if criterion else None
         found.append(

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
+from certkit.documents.result import CALIBRATION
 from certkit.reporting import number_format as words
 from certkit.reporting.channel_order import ordered_channels
 from certkit.reporting.criterion_row import Row, criterion_row, figure_of, slug
@@ -29,9 +30,6 @@ KINDS = {
     "test evaluation": ("Test report", "measured test"),
 }
 """What the report of each kind of result is called, and what it is of."""
-
-CALIBRATION = "calibration left, "
-"""Begins the quantity of a precondition that stands in the table of equipment."""
 
 
 class NumberGroup(Struct, frozen=True):

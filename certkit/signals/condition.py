@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from certkit.definitions.procedure import Procedure
-    from certkit.signals.recording import Channel, Kind, Recording
+    from certkit.signals.recording import Channel, Recording, RecordingKind
 
 SETTLED = 0.005
 """Seconds after the end of what is evaluated from which on the filters carry nothing back into it."""
@@ -242,7 +242,7 @@ MEASURED_STEPS: tuple[Callable[[Recording, Situation], Recording], ...] = (
 )
 
 
-STEPS: dict[Kind, tuple[Callable[[Recording, Situation], Recording], ...]] = {
+STEPS: dict[RecordingKind, tuple[Callable[[Recording, Situation], Recording], ...]] = {
     "measured": MEASURED_STEPS,
     "virtual": (uniform, timed, right_way_round),
     "simulated": (),

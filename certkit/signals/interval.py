@@ -67,18 +67,16 @@ class AssessmentInterval(Struct, frozen=True):
 
 
 def assessment_interval(
-    time: NDArray[np.float64], moments: Mapping[str, NDArray[np.float64]], *, contact: float = 0.0
+    time: NDArray[np.float64], moments: Mapping[str, NDArray[np.float64]]
 ) -> AssessmentInterval | Reason:
     """Find the assessment interval.
 
     Parameters
     ----------
     time : ndarray, shape (n,)
-        Seconds.
+        Seconds after first contact.
     moments : mapping of str to ndarray, shape (n,)
         Filtered bone moments, N·m, by channel.
-    contact : float
-        Time of first contact, s.
 
     Returns
     -------
@@ -86,7 +84,7 @@ def assessment_interval(
         Why there is none inside the record: no bone moment has a maximum beyond 15 N·m, one is still rising
         at the record's end, or has not come down to zero, or far enough to lower the curves to it.
     """
-    begin = int(np.searchsorted(time, contact))
+    begin = int(np.searchsorted(time, 0.0))
     peaks: dict[str, int] = {}
     for name, values in moments.items():
         peak = _first_maximum(values, begin)
@@ -107,7 +105,7 @@ def assessment_interval(
     ends = {name: _crossing(time, moments[name] - shift, top) for name, top in tops.items()}
     last = max(ends, key=lambda name: ends[name])
     left_out = tuple(name for name in moments if name not in peaks)
-    return AssessmentInterval(contact, ends[last], last, shift, left_out)
+    return AssessmentInterval(0.0, ends[last], last, shift, left_out)
 
 
 def _phase_maximum(values: NDArray[np.float64], peak: int) -> int:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from certkit.definitions.channels import ChannelTable, Dimension
     from certkit.reasons import Reason
 
-Kind = Literal["simulated", "measured", "virtual"]
+RecordingKind = Literal["simulated", "measured", "virtual"]
 
 
 def _shipped() -> ChannelTable:
@@ -78,7 +78,7 @@ class Recording(Struct, frozen=True):
         have been through other hands, and is doubted as any other.
     """
 
-    kind: Kind
+    kind: RecordingKind
     time: NDArray[np.float64]
     channels: Mapping[str, Channel]
     conditions: Mapping[str, float] = field(default_factory=dict)

@@ -9,8 +9,8 @@ from certkit.definitions.loading.library import load
 from certkit.definitions.study import Study
 from certkit.studies import study_findings
 from certkit.studies.execution import Execution
-from certkit.studies.journal import forget
-from certkit.studies.run_study import JOURNAL, optimise_and_write, optimum, study_and_write
+from certkit.studies.journal import JOURNAL, forget
+from certkit.studies.run_study import optimise_and_write, optimum, study_and_write
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

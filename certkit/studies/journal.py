@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
     from certkit.studies.points import Point
 
+JOURNAL = "runs.jsonl"
+"""The file, in the folder of a study or fit."""
+
 SUM = "sum"
 """The key of a line's checksum, its last entry."""
 

@@ -34,9 +34,8 @@ from certkit.studies.combined_uncertainty import (
 from certkit.studies.designs.latin_hypercube import latin_hypercube
 from certkit.studies.execution import USUAL, Execution
 from certkit.studies.factors import Factor, factor_of
-from certkit.studies.journal import forget
+from certkit.studies.journal import JOURNAL, forget
 from certkit.studies.quantity import share
-from certkit.studies.run_study import JOURNAL
 from certkit.studies.runs import Runs
 from certkit.studies.trial import Trial
 

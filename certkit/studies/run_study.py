@@ -9,6 +9,7 @@ from msgspec.structs import replace
 from certkit.bench.render_documents import render
 from certkit.bench.result_folder import refuse_other_name
 from certkit.studies.execution import USUAL, Execution
+from certkit.studies.journal import JOURNAL
 from certkit.studies.optimise import limits_of, optimise
 from certkit.studies.run_table import check_formats, write_table
 from certkit.studies.runs import Runs
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from certkit.studies.optimise import Optimum
     from certkit.studies.study_findings import Findings
 
-JOURNAL = "runs.jsonl"
 FILES = ("study.json", "optimum.json")
 
 

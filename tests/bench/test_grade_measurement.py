@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 from msgspec.structs import replace
+from support.curves import write_csv
 from support.damage import DAMAGES
 from support.pendulum_recording import pendulum_like
 
@@ -18,7 +19,7 @@ from certkit.bench import grade_measurement
 from certkit.bench.run_simulation import run
 from certkit.cli import main
 from certkit.errors import DataError, RunError
-from certkit.exchange.channels_csv import channels_csv, write_csv
+from certkit.exchange.channels_csv import channels_csv
 from certkit.exchange.mme_write import write_mme
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ def test_the_numerical_uncertainty_is_that_of_half_the_step_and_of_twice_the_ite
     values, halved, iterated = (
         criterion_values(measure_all(setup.procedure, each.recording)) for each in (done, half, patient)
     )
-    by_step = numerical_uncertainties([values, halved])
+    by_step = numerical_uncertainties(values, halved)
     said = {c.id: c.uncertainty.numerical for c in run("inverse").criteria if c.uncertainty is not None}
     assert said.keys() == by_step.keys()
     for name, uncertainty in by_step.items():

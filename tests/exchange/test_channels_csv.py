@@ -12,12 +12,13 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 from support import synthetic_result
+from support.curves import write_csv
 
 import certkit
 from certkit.definitions.loading.channel_tables import default_channels
 from certkit.documents.result import Result
 from certkit.errors import DataError
-from certkit.exchange.channels_csv import channels_csv, csv_text, write_csv
+from certkit.exchange.channels_csv import channels_csv, csv_text
 from certkit.exchange.csv_read import read_csv
 from certkit.signals import Channel, Recording
 

@@ -13,11 +13,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from msgspec.structs import replace
+from support.curves import write_csv
 
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.channel_tables import default_channels
 from certkit.errors import DataError, UsageError
-from certkit.exchange.channels_csv import csv_text, write_csv
+from certkit.exchange.channels_csv import csv_text
 from certkit.exchange.codes import code_table
 from certkit.exchange.csv_read import read_csv
 from certkit.exchange.mme_write import write_mme

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 from msgspec.structs import replace
+from support.curves import write_csv
 
 from certkit.bench.compare import compare
 from certkit.definitions.loading.channel_tables import default_channels
 from certkit.documents.comparison import ComparisonDocument
 from certkit.errors import DataError
-from certkit.exchange.channels_csv import write_csv
 from certkit.reporting.comparison_report import comparison_page
 from certkit.reporting.comparison_text import comparison_text
 from certkit.signals import Channel, Recording

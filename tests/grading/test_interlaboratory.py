@@ -10,7 +10,6 @@ from support.several_laboratories import PRINTED, level
 from certkit.grading.interlaboratory import (
     cochran_critical,
     grubbs_critical,
-    mandel_critical,
     precision,
     robust_mean,
     statistics_by_laboratory,
@@ -29,8 +28,6 @@ def test_critical_values_are_those_of_the_printed_tables() -> None:
     assert cochran_critical(0.01, 8, 3) == pytest.approx(0.615, abs=1e-3)
     assert grubbs_critical(0.05, 8) == pytest.approx(2.126, abs=1e-3)
     assert grubbs_critical(0.01, 8) == pytest.approx(2.274, abs=1e-3)
-    assert mandel_critical(0.05, 8, 3)[0] == pytest.approx(1.75, abs=1e-2)
-    assert mandel_critical(0.01, 8, 3)[0] == pytest.approx(2.06, abs=1e-2)
 
 
 def test_a_laboratory_that_scatters_is_cochrans_and_one_that_lies_apart_is_grubbs() -> None:

@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 from certkit.cli.commands import whole_app
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.output_document import listed_json
-from certkit.documents.result import InputFile, Kind, Provenance
+from certkit.documents.result import InputFile, Provenance, ResultKind
 from certkit.errors import DataError, UsageError
 from certkit.logbooks import Logbook, add, rebuild, shipped_rules
 from certkit.logbooks import overview as drawn_up
@@ -272,7 +272,7 @@ def test_one_serial_number_written_in_two_ways_is_one_legform_unless_the_rules_s
 @pytest.mark.parametrize("kind", ["virtual certification", "virtual test"])
 def test_what_was_not_measured_is_never_booked_for_a_legform(tmp_path: Path, kind: str):
     result = document("A-1", BEGIN, 1, "pendulum", 250.0).model_copy(update={"kind": kind, "id": ""})
-    if kind in get_args(Kind):
+    if kind in get_args(ResultKind):
         with pytest.raises(DataError, match=f"is a {kind}; a legform's logbook holds measured tests only"):
             kept(tmp_path, [result.with_id()])
     assert not (tmp_path / "book" / "results").exists() or not list((tmp_path / "book" / "results").iterdir())

@@ -288,7 +288,6 @@ class MadeUpBeam(Fixture):
             "made up force", "force that is made up", FORCE, ("T0ZZZZ000000FOX0", "??ZZZZ000000FOX?")
         ),
     )
-    marks_contact: ClassVar = True
     conditions: ClassVar = ("speed",)
 
     beam: Mass

@@ -8,10 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from certkit.definitions.loading.channel_tables import default_channels
+from certkit.exchange.channels_csv import csv_text
 from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:
-    from certkit.signals.recording import Kind
+    from pathlib import Path
+
+    from certkit.signals.recording import RecordingKind
 
 Floats = NDArray[np.float64]
 
@@ -27,6 +30,10 @@ def channel(name: str, values: ArrayLike, *, filtered: str = ""):
     return Channel(name, kind.title, kind.dimension, np.asarray(values, dtype=float), filtered)
 
 
-def recording(time: ArrayLike, values: dict[str, ArrayLike], *, kind: Kind = "measured"):
+def recording(time: ArrayLike, values: dict[str, ArrayLike], *, kind: RecordingKind = "measured"):
     channels = {name: channel(name, v) for name, v in values.items()}
     return Recording(kind, np.asarray(time, dtype=float), channels)
+
+
+def write_csv(recording: Recording, path: Path) -> None:
+    path.write_bytes(csv_text(recording).encode())

@@ -20,7 +20,7 @@ from certkit.signals import Channel, Recording
 
 if TYPE_CHECKING:
     from certkit.documents.result import CriterionResult, Result
-    from certkit.signals.recording import Kind
+    from certkit.signals.recording import RecordingKind
 
 Floats = NDArray[np.float64]
 
@@ -36,7 +36,9 @@ def bump(peak: float, *, at: float = 0.05) -> Floats:
     return np.where(np.abs(TIME - at) < 0.02, peak * np.cos(np.pi * (TIME - at) / 0.04) ** 2, 0.0)
 
 
-def recording(values: dict[str, ArrayLike], *, time: Floats = TIME, kind: Kind = "simulated") -> Recording:
+def recording(
+    values: dict[str, ArrayLike], *, time: Floats = TIME, kind: RecordingKind = "simulated"
+) -> Recording:
     channels = {
         name: Channel(
             name,

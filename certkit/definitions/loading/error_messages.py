@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     from certkit.errors import Problem
 
 
+SHOWN = 12
+"""Choices that a message lists, at most."""
+
+
 def nearest(word: str, choices: Collection[str]) -> str | None:
     """Return the choice that `word` was most likely meant to be; spaces, `_`, `-` and case do not count."""
     known = {plain(choice): choice for choice in choices}
@@ -26,14 +30,14 @@ def nearest(word: str, choices: Collection[str]) -> str | None:
     return known[found[0]] if found else None
 
 
-def suggestion(word: str, choices: Collection[str], *, shown: int = 12) -> str:
+def suggestion(word: str, choices: Collection[str]) -> str:
     """Return `did you mean …?`, or the choices themselves when none is near."""
     near = nearest(word, choices)
     if near is not None:
         return f"did you mean `{near}`?"
     names = sorted(choices)
-    rest = f" and {len(names) - shown} more" if len(names) > shown else ""
-    return f"known: {', '.join(names[:shown])}{rest}" if names else "none is known"
+    rest = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
+    return f"known: {', '.join(names[:SHOWN])}{rest}" if names else "none is known"
 
 
 def problems(error: ValidationError, tree: Tree, model: type[BaseModel]) -> list[Problem]:

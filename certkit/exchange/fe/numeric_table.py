@@ -34,11 +34,11 @@ class NumericTable(Struct, frozen=True):
     digest: str
 
 
-def read_table(path: Path, *, text_columns: frozenset[str] = frozenset()) -> NumericTable:
+def read_table(path: Path) -> NumericTable:
     """Read a CSV file (`.csv` or `.csv.gz`) of numbers.
 
     Blanks around heads are dropped; a comma at the end of every line is allowed. Where the head is parted by
-    semicolons or tabs, a comma in a number is its decimal point. Columns in `text_columns` are skipped.
+    semicolons or tabs, a comma in a number is its decimal point.
 
     Raises
     ------
@@ -51,9 +51,8 @@ def read_table(path: Path, *, text_columns: frozenset[str] = frozenset()) -> Num
     # The converter of OpenRadioss leaves control characters in some heads.
     names = [" ".join(plain(name).split()) for name in head]
     _refuse_repeats(names, source)
-    kept = [i for i, name in enumerate(names) if name not in text_columns]
-    values = _numbers([[row[i] for i in kept] for row in rows], [names[i] for i in kept], source)
-    columns = {names[i]: np.ascontiguousarray(values[:, k]) for k, i in enumerate(kept)}
+    values = _numbers(rows, names, source)
+    columns = {name: np.ascontiguousarray(values[:, k]) for k, name in enumerate(names)}
     for name, column in columns.items():
         require_finite(column, name, source)
     return NumericTable(columns, source, digest)

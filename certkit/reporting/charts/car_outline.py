@@ -108,12 +108,15 @@ def smooth(points: Sequence[Place], *, closed: bool = True) -> str:
     return "".join(data) + ("z" if closed else "")
 
 
-def sampled(points: Sequence[Place], *, closed: bool = True, steps: int = 6) -> list[Place]:
-    """Return the same line as points, so many to each arc."""
+STEPS = 6
+
+
+def sampled(points: Sequence[Place], *, closed: bool) -> list[Place]:
+    """Return the same line as points, `STEPS` to each arc."""
     found = [points[0]]
     for p, q, r, s in _arcs(points, closed=closed):
-        for k in range(1, steps + 1):
-            t = k / steps
+        for k in range(1, STEPS + 1):
+            t = k / STEPS
             parts = ((1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t), t**3)
             corners = (p, q, r, s)
             across = sum(f * c[0] for f, c in zip(parts, corners, strict=True))

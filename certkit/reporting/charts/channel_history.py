@@ -43,7 +43,7 @@ def limits_of(criterion: CriterionResult | None, peak: tuple[float, float] | Non
 
 
 def history_frame(
-    series: Series, axis: list[float], criterion: CriterionResult | None, *, width: float, height: float
+    series: Series, axis: list[float], criterion: CriterionResult | None
 ) -> tuple[Frame, tuple[float, float] | None, list[float]]:
     """Return the plot's frame, the peak to mark and the limits to draw."""
     peak = peak_of(criterion, series, axis) if criterion else None
@@ -53,7 +53,7 @@ def history_frame(
     extra = [peak[1]] if peak else []
     y = span([*series.values, *limits, *edges, *extra, 0.0], margin=0.07)
     x = (axis[0], axis[-1]) if len(axis) > 1 else (0.0, 1.0)
-    return Frame.around(x, y, width=width, height=height), peak, limits
+    return Frame.around(x, y), peak, limits
 
 
 def history_chart(
@@ -61,14 +61,12 @@ def history_chart(
     name: str,
     criterion: CriterionResult | None = None,
     *,
-    width: float = 360,
-    height: float = 200,
     t: Translate = english,
 ) -> Drawing:
     """Draw one channel of `histories`; with a criterion also its corridor and peak."""
     series = histories.series[name]
     axis = times(histories)
-    frame, peak, limits = history_frame(series, axis, criterion, width=width, height=height)
+    frame, peak, limits = history_frame(series, axis, criterion)
     shade = _band(frame, criterion, limits)
     head = _head(criterion, series.unit, t) if peak else series.unit
     drawn = shade + frame.axes(named(name, series.title), "ms", "" if peak else head)
@@ -92,7 +90,7 @@ def history_chart(
         at = criterion.time is not None
         value = f"{fixed(criterion.value, criterion_decimals(criterion))} {criterion.unit}"
         words += f"; {_head(criterion, criterion.unit, t) if at else value}"
-    return Drawing(width, height, drawn, words)
+    return Drawing(frame.width, frame.height, drawn, words)
 
 
 def _band(frame: Frame, criterion: CriterionResult | None, limits: list[float]) -> str:

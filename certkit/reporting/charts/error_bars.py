@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from certkit.documents.result import Comparison, Result
     from certkit.reporting.language import Translate
 
+WIDTH, HEIGHT = 740.0, 230.0
+
 _FILLS = (
     ("test", "#3a3f45", "b0"),
     ("simulation", "#0072b2", "b1"),
@@ -29,16 +31,14 @@ def draw(result: Result, names: Sequence[str]) -> Drawing | None:
     return errors_chart(comparison) if comparison and comparison.rows else None
 
 
-def errors_chart(
-    comparison: Comparison, *, width: float = 740, height: float = 230, t: Translate = english
-) -> Drawing:
+def errors_chart(comparison: Comparison, *, t: Translate = english) -> Drawing:
     """Draw grouped bars with this simulation's error above each group."""
     rows = comparison.rows
     values = [v for r in rows for v in (r.test, r.simulation, r.published) if v is not None]
     low, high = min(0.0, *values), max(0.0, *values)
     room = (high - low) * 0.14 or 1.0
     frame = Frame.around(
-        (0, len(rows)), (low - (room if low < 0 else 0), high + room), width=width, height=height
+        (0, len(rows)), (low - (room if low < 0 else 0), high + room), width=WIDTH, height=HEIGHT
     )
     # Channel names stand where ticks would: an axis without numbers.
     drawn = _strip_ticks(frame.axes(t("Peaks"), "", rows[0].unit if rows else ""))
@@ -75,7 +75,7 @@ def errors_chart(
         drawn += tag("rect", x=left, y=5, width=11, height=11, fill=fill, class_=css)
         drawn += label(left + 16, 14, name, class_="key")
         left += 16 + 6.4 * len(name) + 16
-    return Drawing(width, height, drawn, t("Peaks of test and simulation, channel by channel"))
+    return Drawing(WIDTH, HEIGHT, drawn, t("Peaks of test and simulation, channel by channel"))
 
 
 def _strip_ticks(axes: str) -> str:

@@ -19,6 +19,11 @@ if TYPE_CHECKING:
     from certkit.documents.rig_motion import Motion, Shape
     from certkit.reporting.language import Translate
 
+WIDTH = 740.0
+
+MOST = 6
+"""Instants that are drawn."""
+
 FILL = {
     "bone": "#e8e6e0",
     "knee": "#c5ccd4",
@@ -86,17 +91,17 @@ def largest_moment(motion: Motion) -> float:
     return max((abs(v) for row in motion.moments for v in row), default=0.0) or 1.0
 
 
-def key_frames(motion: Motion, most: int = 6) -> list[int]:
+def key_frames(motion: Motion) -> list[int]:
     """Choose instants: the first, the one of the largest moment, and others evenly around it."""
     count = len(motion.poses)
-    if count <= most:
+    if count <= MOST:
         return list(range(count))
     sizes = [max((abs(v) for v in row), default=0.0) for row in motion.moments] or [0.0] * count
     top = max(range(len(sizes)), key=lambda i: sizes[i])
-    end = min(count - 1, max(2 * top, most - 1)) if top else count - 1
-    evenly = [round(end * i / (most - 1)) for i in range(most)]
+    end = min(count - 1, max(2 * top, MOST - 1)) if top else count - 1
+    evenly = [round(end * i / (MOST - 1)) for i in range(MOST)]
     if top:
-        nearest = min(range(1, most), key=lambda i: abs(evenly[i] - top))
+        nearest = min(range(1, MOST), key=lambda i: abs(evenly[i] - top))
         evenly[nearest] = top
     return sorted(set(evenly))
 
@@ -132,18 +137,16 @@ def frames_chart(
     motion: Motion,
     frames: Sequence[int] | None = None,
     *,
-    width: float = 740,
-    most: int = 6,
     t: Translate = english,
 ) -> Drawing:
     """Draw the key frames at one scale, with their times and a colour key.
 
     They stand side by side; those that are wide, as of a bone on its rollers, in three columns.
     """
-    frames = key_frames(motion, most) if frames is None else frames
+    frames = key_frames(motion) if frames is None else frames
     left, right, low, high = bounds(motion, frames)
     columns = max(len(frames), 1) if high - low > 1.2 * (right - left) else 3
-    cell = width / columns
+    cell = WIDTH / columns
     factor = min((cell - 8) / (right - left), 300 / (high - low))
     height = (high - low) * factor
     drawn = ""
@@ -163,7 +166,7 @@ def frames_chart(
         total += 32
     listed = ", ".join(fixed(motion.times[f] * 1e3, 1) for f in frames)
     said = t("Legform and rig at {times} ms, coloured by bending moment", times=listed)
-    return Drawing(width, total, drawn, said)
+    return Drawing(WIDTH, total, drawn, said)
 
 
 def colour_key(peak: float, unit: str, x: float, y: float, width: float, t: Translate = english) -> str:

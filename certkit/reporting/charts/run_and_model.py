@@ -50,10 +50,10 @@ def moment_peak(motion: FrontMotion) -> float:
     return max((abs(v) for row in rows for v in row), default=0.0) or 1.0
 
 
-def run_and_model(motion: FrontMotion, t: Translate = english, *, most: int = MOST) -> Drawing:
+def run_and_model(motion: FrontMotion, t: Translate = english) -> Drawing:
     """Draw run and model at the same instants, evenly chosen, the leg coloured by its bending moment."""
     last = len(motion.times) - 1
-    frames = sorted({round(last * k / (most - 1)) for k in range(most)})
+    frames = sorted({round(last * k / (MOST - 1)) for k in range(MOST)})
     left, right, low, high = view_box(motion)
     cell = (WIDTH - LEFT) / len(frames)
     factor = min((cell - 8) / (right - left), HEIGHT / (high - low))

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from certkit.definitions.loading.library import load
 from certkit.errors import UsageError
 from certkit.studies.calibration import fit
-from certkit.studies.calibration.run_calibration import JOURNAL, fit_and_write
+from certkit.studies.calibration.run_calibration import fit_and_write
 from certkit.studies.execution import Execution
-from certkit.studies.journal import forget
+from certkit.studies.journal import JOURNAL, forget
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -12,14 +12,13 @@ from certkit.studies.calibration.fit import calibrate, runs_for
 from certkit.studies.calibration.fitted_files import report, write_family, write_fit
 from certkit.studies.calibration.leg_family import find_members
 from certkit.studies.execution import USUAL, Execution
+from certkit.studies.journal import JOURNAL
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.studies.calibration.fit import Calibration, Task
     from certkit.studies.calibration.search import Tell
-
-JOURNAL = "runs.jsonl"
 
 
 def fit_and_write(
