@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
+from certkit.bench.data_places import without_folders
 from certkit.bench.laboratory_terms import header_contradictions, merged_conditions, read_laboratory
 from certkit.bench.setup import prepare, without_model
 from certkit.bench.virtual_test_terms import energies_of, virtual_test_terms
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from certkit.definitions.channels import ChannelTable
     from certkit.definitions.loading.library import Library
     from certkit.definitions.loading.overrides import Overrides
+    from certkit.definitions.procedure import Procedure
     from certkit.documents.result import Result
     from certkit.signals import Recording
 
@@ -85,10 +87,10 @@ def grade(
     files = (
         InputFile(role="recording", path=_shown(data, file.name), sha256=file.sha256) for file in read.files
     )
-    recording = replace(read.recording, conditions=conditions)
+    recording = replace(without_folders(read.recording, data), conditions=conditions)
     header = [f"{words}: {value}" for words, value in read.header.items()]
     odd = header_contradictions(read.header, lab, str(laboratory))
-    _check_type(read.header.get("Type of the test", ""), setup.procedure.procedure, data)
+    _check_type(read.header.get("Type of the test", ""), setup.procedure, data)
     made_by = read.header.get("procedure", setup.procedure.procedure)
     if made_by != setup.procedure.procedure:
         odd.append(Reason.of("recorded-by-other-procedure", made=made_by, graded=setup.procedure.procedure))
@@ -113,23 +115,30 @@ def _mapping(path: Path | None, channels: ChannelTable) -> tuple[Mapping | None,
     return mapping, [InputFile(role="mapping", path=path.name, sha256=digest, text=data.decode("utf-8-sig"))]
 
 
-TYPES = ("pendulum", "inverse", "static")
-"""Words for a kind of certification test; a header that says one of them is of no other kind."""
+TYPES = {"static": "static", "vehicle": "flight", "bumper": "flight"}
+"""Words for a kind of test, and the kind of procedure that they mean."""
+NAMES = ("pendulum", "inverse")
+"""Words for one of the tests with a blow, which its procedure's name has too."""
+PARTS = ("femur", "tibia", "knee")
+"""Words for the part that a static test bends."""
 
 
-def _check_type(told: str, procedure: str, data: Path) -> None:
+def _check_type(told: str, procedure: Procedure, data: Path) -> None:
     """Refuse a test whose header says that it is of another kind.
 
     Raises
     ------
     DataError
-        When it names another kind of certification test than the procedure's.
+        When it names another kind of test than the procedure's, or a static test of another part.
     """
-    words = set(re.findall(r"[a-z]+", told.casefold()))
-    other = [word for word in TYPES if word in words]
-    if other and not any(word in procedure for word in other):
+    words, name = set(re.findall(r"[a-z]+", told.casefold())), procedure.procedure
+    fits = [TYPES[word] == procedure.test_kind or word in name for word in TYPES if word in words]
+    fits += [word in name for word in NAMES if word in words]
+    parts = [word for word in PARTS if word in words]
+    of_part = procedure.test_kind != "static" or not parts or procedure.specimen.part in parts
+    if not of_part or (fits and not any(fits)):
         raise DataError(
-            f"{data}: `Type of the test` is `{told[:40]}`, but it is graded by the procedure {procedure}; "
+            f"{data}: `Type of the test` is `{told[:40]}`, but it is graded by the procedure {name}; "
             "name the procedure that was carried out with `--procedure`, or correct the header"
         )
 

@@ -50,8 +50,8 @@ class MmeChannel(Struct, frozen=True):
         SI.
     filtered : str
         Filter it has already seen.
-    simulated : bool
-        Whether its data source is a simulation.
+    source : str
+        Where its samples came from, as the file says it; empty where it does not.
     notes : tuple of Reason
         What the file says of its data.
     belongs : tuple of (str, str)
@@ -63,7 +63,7 @@ class MmeChannel(Struct, frozen=True):
     base: TimeBase
     values: NDArray[np.float64]
     filtered: str
-    simulated: bool
+    source: str
     notes: tuple[Reason, ...]
     belongs: tuple[str, str] = ("", "")
 
@@ -128,7 +128,7 @@ def read_channel(
         base=base,
         values=sign * scale * values,
         filtered=filtered,
-        simulated=source is not None and source.value.casefold() == "simulation",
+        source="" if source is None else source.value,
         notes=(*doubts, *told),
         belongs=(_object(header), code[:2]),
     )

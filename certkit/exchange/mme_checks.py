@@ -23,6 +23,13 @@ if TYPE_CHECKING:
 _CLASS = re.compile(r"(?:CFC[\s_-]*)?(\d{1,6})\s*(?:Hz)?", re.IGNORECASE)
 _UNFILTERED = frozenset({"none", "unfiltered", "no filter", "0"})
 
+_SENSED = re.compile(r"transducer|sensor|gauge|potentiometer|measur|video|camera|film|hybrid|experiment")
+"""What a measured channel's `Data source` says; ISO/TS 13499 has `transducer`."""
+_SIMULATED = re.compile(
+    r"simul|\bfem?\b|finite.?element|multi.?body|madymo|dyna|radioss|pam.?crash|abaqus|\bcae\b|\bmodel"
+)
+"""What that of a simulated one says; the standard has `simulation`, people write their program."""
+
 _NEAR = 0.01
 """Deviation of a stated extreme from the samples' own, as a part of their swing, that rounding may cause."""
 
@@ -94,6 +101,17 @@ def filter_state(header: Header, code: str, leniency: Leniency) -> tuple[str, tu
         f"{narrower}, the narrower of the two",
     )
     return narrower, ()
+
+
+def is_simulated(source: str) -> bool | None:
+    """Tell by the words of `Data source` whether samples were simulated; None where they do not say it.
+
+    A source that names both, such as a sensor model, is a simulation.
+    """
+    word = source.casefold()
+    if _SIMULATED.search(word):
+        return True
+    return False if not word or _SENSED.search(word) else None
 
 
 def check_extremes(

@@ -23,7 +23,7 @@ from certkit.exchange.container import Container, open_container
 from certkit.exchange.leniency import Leniency
 from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.mme_channel import MmeChannel, read_channel
-from certkit.exchange.mme_checks import check_one_object, data_status_of_test
+from certkit.exchange.mme_checks import check_one_object, data_status_of_test, is_simulated
 from certkit.exchange.mme_header import OWN_SIMULATION, Header, read_header
 from certkit.exchange.text import decode
 from certkit.exchange.timebase import common_base
@@ -128,7 +128,7 @@ def read_mme(
     }
     told = together(mme_conditions(header, table, leniency), mapped_conditions(mapping, table))
     kind = _kind(parts, header, leniency)
-    notes = [*data_status_of_test(header, leniency), *notes]
+    notes = [*data_status_of_test(header, leniency), *notes, *_unclear_sources(parts)]
     recording = Recording(
         kind=kind,
         time=base.times(),
@@ -259,18 +259,24 @@ def _channels(
 
 def _kind(parts: Sequence[MmeChannel], header: Header, leniency: Leniency) -> RecordingKind:
     """Tell whether the channels were simulated, here or by others, or measured; they must agree."""
-    simulated = [part for part in parts if part.simulated]
+    simulated = [part for part in parts if is_simulated(part.source)]
     if simulated and len(simulated) < len(parts):
-        other = next(part for part in parts if not part.simulated)
+        other = next(part for part in parts if not is_simulated(part.source))
         leniency.depart(
             simulated[0].place,
-            f"`Data source` is `simulation`, but {other.place} was measured",
+            f"`Data source` is `{simulated[0].source[:40]}`, but {other.place} was measured",
             "the test was measured",
         )
     if len(simulated) < len(parts):
         return "measured"
     own = any(line.value == OWN_SIMULATION for line in header.lines if line.descriptor == "Comments")
     return "simulated" if own else "virtual"
+
+
+def _unclear_sources(parts: Sequence[MmeChannel]) -> list[Reason]:
+    """Say which words for a source tell neither a sensor nor a simulation; such are taken as measured."""
+    unclear = {part.source[:60]: part.place for part in reversed(parts) if is_simulated(part.source) is None}
+    return [Reason.of("source-not-clear", place=unclear[word], source=word) for word in sorted(unclear)]
 
 
 def _of_two(name: str, first: _Listed, second: _Listed, label: str) -> _Listed:

@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
+LARGEST = 1e15
+"""Size from which on a number is no sample, whatever its unit: a moment of 1e15 N·mm bends no leg."""
+
+
 class Lines(Struct, frozen=True):
     """Lines of numbers in a file.
 
@@ -94,7 +98,7 @@ def read_samples(lines: Lines, use: Sequence[int] = (0,)) -> NDArray[np.float64]
     Raises
     ------
     DataError
-        With the line of the first thing that is not a finite number.
+        With the line of the first thing that is no finite number, or too large for a sample.
     """
     end = lines.end
     if not end:
@@ -117,7 +121,7 @@ def read_samples(lines: Lines, use: Sequence[int] = (0,)) -> NDArray[np.float64]
         values = np.empty((0, 0))
     # Where `loadtxt` only looks at some columns it does not see that a line has more or fewer of the others.
     whole = everything or all(len(line.split(delimiter)) == lines.columns for line in text)
-    if grouped or values.shape != (end, len(use)) or not whole or not np.isfinite(values).all():
+    if grouped or values.shape != (end, len(use)) or not whole or not (np.abs(values) < LARGEST).all():
         values, faults = read_with_gaps(lines, use)
         if faults:
             raise DataError(next(iter(faults.values())))
@@ -173,4 +177,5 @@ def _fault(cell: str, decimal: str) -> str:
         return f"{shown} is not a number; correct it, or leave the channel out"
     if not np.isfinite(value) or "_" in cell:
         return f"{shown} is not a finite number; a channel with gaps cannot be graded: leave the channel out"
-    return ""
+    too_large = f"{shown} is larger than anything that is measured; correct it, or leave the channel out"
+    return too_large if abs(value) >= LARGEST else ""

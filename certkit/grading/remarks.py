@@ -84,6 +84,7 @@ ASSUMED = frozenset(
         "sign-turned",
         "questionable-data",
         "kind-not-said",
+        "source-not-clear",
         "status-not-good",
     }
 )
