@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, cast
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from certkit._version import __version__
 from certkit.bench.campaign_pages import write_campaign
@@ -14,11 +15,12 @@ from certkit.bench.campaign_schemes import campaign_schemes
 from certkit.bench.package_versions import package_versions
 from certkit.bench.point_sources import CampaignFiles, load_point_source
 from certkit.bench.result_folder import distinct_names
+from certkit.bench.setup import input_file
 from certkit.definitions.campaign import RANK
 from certkit.definitions.loading.library import load, stores
 from certkit.definitions.units import parse_quantity
 from certkit.documents.campaign_report import CampaignReport, CarFront, PointReport
-from certkit.documents.result import InputFile, Provenance
+from certkit.documents.result import Provenance
 from certkit.documents.unverified import MARK
 from certkit.grading.car_verdict import car_verdict
 from certkit.grading.judge_car import judge_car
@@ -31,8 +33,7 @@ if TYPE_CHECKING:
 
     from certkit.bench.point_sources import LoadedSource
     from certkit.definitions.campaign import Campaign, ImpactPoint, PointSource
-    from certkit.definitions.loading.library import Library, Loaded
-    from certkit.documents.campaign_report import SourceReport
+    from certkit.definitions.loading.library import Library
     from certkit.documents.result import Result
 
 
@@ -129,7 +130,7 @@ def assess(
         notes=sheet.notes,
         provenance=Provenance(
             certkit=__version__,
-            inputs=[_definition(each) for each in (loaded, *used)] + read,
+            inputs=[input_file(each) for each in (loaded, *used)] + read,
             packages=dict(package_versions()),
         ),
     )
@@ -151,7 +152,7 @@ def _point(
         taken |= {each.report.kind} if decides else set()
         folder = f"points/{name}-{number}-{each.report.kind.replace(' ', '-')}"
         update = {"decides": decides, "replaced": replaced, "folder": folder if each.result else ""}
-        sources.append(_updated(each, each.report.model_copy(update=update)))
+        sources.append(replace(each, report=each.report.model_copy(update=update)))
     report = PointReport(
         name=point.point,
         across=1e3 * point.metres,
@@ -163,10 +164,6 @@ def _point(
         replacement=later.reason if later else "",
     )
     return report, sources
-
-
-def _updated(source: LoadedSource, report: SourceReport) -> LoadedSource:
-    return type(source)(report, source.result, source.inputs)
 
 
 def _plain(name: str) -> str:
@@ -193,7 +190,3 @@ def _car(sheet: Campaign) -> CarFront:
         zones=[(1e3 * start, 1e3 * end) for start, end in sheet.zones],
         symmetric=car.symmetric,
     )
-
-
-def _definition(loaded: Loaded[Any]) -> InputFile:
-    return InputFile(role=loaded.kind, path=loaded.path, sha256=loaded.sha256, text=loaded.text)

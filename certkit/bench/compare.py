@@ -6,13 +6,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from certkit.bench.regrade import embedded_store
+from certkit.bench.setup import input_file
 from certkit.bench.sources import Source, load_source
 from certkit.definitions.channel_mapping import Mapping
 from certkit.definitions.loading.channel_tables import all_channels
 from certkit.definitions.loading.library import load, stores
 from certkit.definitions.loading.validation import read_document
 from certkit.documents.comparison import Side
-from certkit.documents.result import InputFile
 from certkit.grading.agreement import LimitedCriterion, hold_against
 from certkit.grading.compare_tests import ComparedTest, side_by_side
 from certkit.reporting.language import worded
@@ -52,7 +52,7 @@ def compare(  # noqa: PLR0913  # as many as `certkit compare` has options
     mapping : str or Path, optional
         Mapping file for measured data.
     lenient : bool
-        Likewise.
+        Of measured data, list assumptions instead of stopping at departures.
     library : str, Path, or sequence of them
         Folders with own definitions.
     until : float, optional
@@ -84,8 +84,7 @@ def compare(  # noqa: PLR0913  # as many as `certkit compare` has options
         loaded = cast("Loaded[AgreementRule]", load("agreement", rule, library=library))
         kept = loaded.document
         checks, verdict = hold_against(kept, document, _criteria(first.result, second.result))
-        source = InputFile(role="agreement", path=loaded.path, sha256=loaded.sha256, text=loaded.text)
-        told = {"rule": kept.title, "checks": checks, "verdict": verdict, "inputs": [source]}
+        told = {"rule": kept.title, "checks": checks, "verdict": verdict, "inputs": [input_file(loaded)]}
         document = document.model_copy(update=told).with_id()
     return worded(document)
 
@@ -111,7 +110,7 @@ def _procedure(named: str | Path | None, sources: tuple[Source, ...], library: L
         return load("procedure", named, library=library).document
     for result in (source.result for source in sources if source.result):
         return load(
-            "procedure", result.procedure, library=(*stores(library), embedded_store(result))
+            "procedure", result.procedure, library=(*stores(library), embedded_store(result.provenance))
         ).document
     return None
 

@@ -55,7 +55,7 @@ def read_files(path: Path, channels: ChannelTable | None = None) -> LaboratoryFi
                         beside.name,
                         0,
                         0,
-                        ("is shared by tests, and cannot share another file itself; write both into one"),
+                        "is shared by tests, and cannot share another file itself; write both into one",
                     )
                 ]
             )

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from certkit.bench.fit_aims import corridor_sets, known_fits
+from certkit.definitions.loading.library import stores
 from certkit.definitions.units import UNITS, parse_quantity
 from certkit.grading.front_limits import beyond_range
 from certkit.reasons import Reason
@@ -46,8 +46,7 @@ def fitted_to(setup: Setup, fits: list[FitAims], library: Library = ()) -> list[
 
 
 def _folders(library: Library) -> tuple[str, ...]:
-    folders = (library,) if isinstance(library, (str, Path)) else tuple(library)
-    return tuple(str(folder) for folder in folders)
+    return tuple(map(str, stores(library)))
 
 
 def model_remarks(setup: Setup, fits: list[FitAims], front: Front | None) -> tuple[Reason, ...]:

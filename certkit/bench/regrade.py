@@ -31,13 +31,13 @@ from certkit.reporting.language import worded
 if TYPE_CHECKING:
     from certkit.bench.setup import Setup
     from certkit.definitions.channels import ChannelTable
-    from certkit.documents.result import Result
+    from certkit.documents.result import Provenance, Result
 
 
-def embedded_store(result: Result) -> TextStore:
-    """Return the definitions that a result carries, as a place where definitions are looked for."""
+def embedded_store(provenance: Provenance) -> TextStore:
+    """Return the definitions that a document carries, as a place where definitions are looked for."""
     texts = {}
-    for item in result.provenance.inputs:
+    for item in provenance.inputs:
         if item.text is not None and item.role in KINDS:
             name = read_tree(item.text, item.path).data.get(item.role)
             texts[item.role, str(name)] = item.text
@@ -46,7 +46,7 @@ def embedded_store(result: Result) -> TextStore:
 
 def embedded_channels(result: Result) -> ChannelTable | None:
     """Return the channels of the legform whose definition a result carries; None where it carries none."""
-    store = embedded_store(result)
+    store = embedded_store(result.provenance)
     legform = next((name for kind, name in store.texts if kind == "legform"), None)
     return None if legform is None else legform_channels(legform, (store,))
 
@@ -61,7 +61,7 @@ def embedded_setup(result: Result) -> Setup:
     DefinitionError
         When a carried definition cannot be used any more.
     """
-    store = embedded_store(result)
+    store = embedded_store(result.provenance)
     if ("procedure", result.procedure) not in store.texts:
         raise DataError(
             f"the document does not carry its procedure `{result.procedure}`; it cannot be graded again"
@@ -95,7 +95,7 @@ def regrade(result: Result) -> Result:
     recording = recording_of(result, table=channels)
     laboratory = _laboratory(result, channels)
     if recording.kind == "virtual":
-        store = embedded_store(result)
+        store = embedded_store(result.provenance)
         mapping = embedded_mapping(result, channels)
         laboratory = virtual_test_terms(laboratory, setup.procedure, recording, mapping, (store,))
     # What was let pass then is let pass now, and listed in the document's notes.

@@ -43,9 +43,9 @@ def render(  # noqa: PLR0913  # as many as the command has options
     out : str or Path
         Folder; made when missing.
     formats : str or collection of str, optional
-        Of a result: `html`, `pdf`, `junit`, `csv`, `md`; others have `html`, an extraction `pdf` as well. In
-        one string they are separated by commas; `none` writes the JSON alone. What people look at (`html`,
-        and `pdf` where there is one) when not given.
+        Such as `html`, `pdf`, `junit`, `csv`, `md`, `xlsx`, `pptx`, `dcc`, as far as this kind of document
+        has them. In one string they are separated by commas; `none` writes the JSON alone. What people look
+        at (`html`, and `pdf` where there is one) when not given.
     paper : {'A4', 'Letter'}
         Page size of the PDF, where there is a choice.
     language : str

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -30,10 +30,7 @@ if TYPE_CHECKING:
     from certkit.definitions.vehicle import Vehicle
 
 OF_THE_MODEL = ("legform", "vehicle")
-"""Roles that play no part where the leg was a real one."""
-
-# What `--set` may start with, and which definition it then changes.
-_ELSEWHERE = ("legform", "vehicle")
+"""Definitions of what is simulated: `--set` may start with them, and they play no part of a real test."""
 
 
 class Setup(Struct, frozen=True, dict=True):
@@ -51,11 +48,10 @@ class Setup(Struct, frozen=True, dict=True):
     @cached_property
     def inputs(self) -> tuple[InputFile, ...]:
         """The files that went in, by their role."""
-        return tuple(
-            InputFile(role=role, path=item.path, sha256=item.sha256, text=item.text)
-            for role, item in [*self.loaded, *_confirmations(self.loaded)]
-            if not (self.model_left_out and role == "vehicle")
-        )
+        confirmations = [item.confirmation for _, item in self.loaded if item.confirmation is not None]
+        left_out = {"vehicle"} if self.model_left_out else set()
+        items = [item for role, item in self.loaded if role not in left_out]
+        return tuple(map(input_file, (*items, *confirmations)))
 
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -162,6 +158,11 @@ def prepare(
     )
 
 
+def input_file(loaded: Loaded[Any]) -> InputFile:
+    """Return a definition as a document lists it among its inputs."""
+    return InputFile(role=loaded.kind, path=loaded.path, sha256=loaded.sha256, text=loaded.text)
+
+
 def without_model(setup: Setup) -> Setup:
     """Leave out the numbers of the simulated leg, rig and car; the legform's file stays, for its channels."""
     return replace(setup, model_left_out=True)
@@ -174,10 +175,10 @@ def _of_the_model(path: str) -> bool:
 
 def _sorted_out(overrides: Overrides) -> dict[str, dict[str, object]]:
     """Sort overrides by the definition they change."""
-    changes: dict[str, dict[str, object]] = {"procedure": {}, **{kind: {} for kind in _ELSEWHERE}}
+    changes: dict[str, dict[str, object]] = {"procedure": {}, **{kind: {} for kind in OF_THE_MODEL}}
     for path, value in overrides.items():
         kind, dot, inner = path.strip().partition(".")
-        if kind in _ELSEWHERE and dot:
+        if kind in OF_THE_MODEL and dot:
             changes[kind][inner] = value
         elif path.strip() == "legform":
             changes["procedure"]["specimen.legform"] = value
@@ -195,15 +196,6 @@ def _named_sets(procedure: Procedure, library: Library) -> list[str]:
     """List the corridor sets that a procedure names and somebody supplies."""
     named = procedure.corridor_sets | ({procedure.score} if procedure.score else set())
     return sorted(named & set(names("corridors", library)))
-
-
-def _confirmations(
-    loaded: Iterable[tuple[str, Loaded[BaseModel]]],
-) -> Iterable[tuple[str, Loaded[BaseModel]]]:
-    """Yield the confirmations that definitions were read with."""
-    for _, item in loaded:
-        if item.confirmation is not None:
-            yield "confirmation", cast("Loaded[BaseModel]", item.confirmation)
 
 
 def _parameters(loaded: Iterable[tuple[str, Loaded[BaseModel]]]) -> Iterable[Parameter]:

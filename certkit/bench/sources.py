@@ -46,7 +46,7 @@ def load_source(
     mapping : Mapping, optional
         For measured data.
     lenient : bool
-        Likewise.
+        Of measured data, list assumptions instead of stopping at departures.
     library : sequence of Path
         Folders with own legforms: measured data may be of any of them.
     unverified : bool

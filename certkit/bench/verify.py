@@ -1,9 +1,10 @@
 """`verify`: say whether a certificate holds, what was checked for it, and what was not.
 
-Six kinds of check, each in a file of its own: integrity (`verify_document`, `verify_attachments`,
+Each kind of check is a file of its own: integrity (`verify_document`, `verify_attachments`,
 `verify_reports`), the PDF as a file and its pages (`verify_pdf_file`, `verify_pages`), grading again
-(`verify_grading`), simulating again (`verify_reproduction`), sources (`verify_sources`) and the signature
-(`verify_signature`).
+(`verify_grading`), simulating again (`verify_reproduction`), sources (`verify_sources`), the signature
+(`verify_signature`), and whether a later report took its place (`verify_replacement`). A legform's
+certificate and a campaign have further ones (`verify_legform_certificate`, `verify_campaign`).
 """
 
 from __future__ import annotations

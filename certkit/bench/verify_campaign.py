@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import hashlib
 from typing import TYPE_CHECKING, cast
 
 from certkit.bench.campaign_schemes import campaign_schemes
 from certkit.bench.compare_documents import differences
-from certkit.bench.verification import Check, fails, holds, judged, unchecked
-from certkit.definitions.loading.kinds import KINDS
+from certkit.bench.regrade import embedded_store
+from certkit.bench.verification import Check, fails, holds, unchecked
+from certkit.bench.verify_document import input_checks
 from certkit.definitions.loading.library import load
-from certkit.definitions.loading.search_path import TextStore
-from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.documents.result import Result
 from certkit.errors import CertkitError
 from certkit.grading.car_verdict import car_verdict
@@ -23,6 +21,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from certkit.definitions.campaign import Campaign
+    from certkit.definitions.loading.search_path import TextStore
     from certkit.documents.campaign_report import CampaignReport, SourceReport
 
 
@@ -35,14 +34,8 @@ def campaign_checks(folder: Path, document: CampaignReport) -> Iterator[Check]:
         That the document lies in.
     document : CampaignReport
     """
-    texts: dict[tuple[str, str], str] = {}
-    for item in document.provenance.inputs:
-        if item.text is None or item.role not in KINDS:
-            continue
-        digests = {hashlib.sha256(mark + item.text.encode()).hexdigest() for mark in (b"", b"\xef\xbb\xbf")}
-        yield judged(f"campaign: {item.role} {item.path}", item.sha256 in digests, "input-changed")
-        texts[item.role, str(read_tree(item.text, item.path).data.get(item.role))] = item.text
-    yield _judged_again(document, TextStore(texts))
+    yield from input_checks("campaign", document.provenance)
+    yield _judged_again(document, embedded_store(document.provenance))
     for point in document.points:
         for source in point.sources:
             if source.folder:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from certkit.documents.output_document import OutputDocument
+    from certkit.documents.result import Provenance
 
 
 def of_another_certkit(document: OutputDocument) -> bool:
@@ -48,11 +49,12 @@ def document_checks(
             yield judged(f"{name}: bytes", content == document.to_json().encode(), "bytes-differ")
         yield judged(f"{name}: words", worded(document) == document, "words-differ")
     if isinstance(document, Result):
-        yield from _input_checks(name, document)
+        yield from input_checks(name, document.provenance)
 
 
-def _input_checks(name: str, result: Result) -> Iterator[Check]:
-    for item in result.provenance.inputs:
+def input_checks(name: str, provenance: Provenance) -> Iterator[Check]:
+    """Check the hashes of the texts that a document carries; a file may have begun with a byte order mark."""
+    for item in provenance.inputs:
         if item.text is None:
             continue
         digests = {hashlib.sha256(mark + item.text.encode()).hexdigest() for mark in (b"", b"\xef\xbb\xbf")}

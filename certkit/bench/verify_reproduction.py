@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit._version import __version__
-from certkit.bench.compare_documents import differences
+from certkit.bench.compare_documents import Difference, differences
 from certkit.bench.regrade import embedded_setup
 from certkit.bench.run_simulation import run_setup
 from certkit.bench.verification import Check, fails, holds, left_out, unchecked
@@ -16,7 +16,6 @@ from certkit.errors import CertkitError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from certkit.bench.compare_documents import Difference
     from certkit.documents.result import Result
 
 WHAT = "reproduction"
@@ -87,8 +86,6 @@ def _compared(result: Result, again: Result) -> Check:
 
 def _far(result: Result, again: Result) -> Difference | None:
     """Return the first criterion that no other version explains."""
-    from certkit.bench.compare_documents import Difference  # noqa: PLC0415  # beside its only use
-
     now = {criterion.id: criterion for criterion in again.criteria}
     for before in result.criteria:
         after = now.get(before.id)

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
+from certkit.bench.setup import input_file
 from certkit.definitions.loading.library import load
-from certkit.documents.result import Histories, InputFile, Series
+from certkit.documents.result import Histories, Series
 from certkit.documents.rounding import rounded_series
 from certkit.grading.virtual_test_checks import LIMITS, certification_check, run_checks
 
@@ -61,12 +62,11 @@ def virtual_test_terms(
         specimen["certification"] = certification
     if layout is not None and layout.vehicle:
         specimen["vehicle"] = layout.vehicle
-    source = InputFile(role="corridors", path=limits.path, sha256=limits.sha256, text=limits.text)
     return replace(
         laboratory,
         checks=(*laboratory.checks, *rows, certification_check(name, certification)),
         specimen={**specimen, **laboratory.specimen},
-        inputs=(*laboratory.inputs, source),
+        inputs=(*laboratory.inputs, input_file(limits)),
     )
 
 

@@ -44,7 +44,7 @@ def calibrate(
     from certkit.cli.counting import resumable  # noqa: PLC0415  # waits until a fit is run
     from certkit.reporting.study_text import calibration_text  # noqa: PLC0415  # likewise
     from certkit.studies.calibration.calibrate_legform import calibrate as fit  # noqa: PLC0415  # likewise
-    from certkit.studies.calibration.calibrate_legform import fit_sheet  # noqa: PLC0415  # likewise
+    from certkit.studies.calibration.fit import fit_sheet  # noqa: PLC0415  # likewise
 
     sheet = fit_sheet(document, tuple(library or ()))
     folder = out or Path("runs") / f"fit-{sheet.fit}"

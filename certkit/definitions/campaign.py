@@ -59,7 +59,7 @@ class PointSource(Document):
         faults: list[Fault] = [
             (
                 ("predicted", name),
-                (f"`{text}` is not a number with a unit that certkit knows; write it like `700 mm`"),
+                f"`{text}` is not a number with a unit that certkit knows; write it like `700 mm`",
             )
             for name, text in (self.predicted or {}).items()
             if not set(dimensions(text)) - {"ratio", "count"}
@@ -91,9 +91,7 @@ class PointSource(Document):
             if getattr(self, key) is not None and self.file is None
         ]
         if self.laboratory is not None and self.measured is None:
-            faults.append(
-                (("laboratory",), ("`laboratory` belongs to a `measured` source; leave it out here"))
-            )
+            faults.append((("laboratory",), "`laboratory` belongs to a `measured` source; leave it out here"))
         if faults:
             raise Faults(faults)
         return self
@@ -198,7 +196,7 @@ class Campaign(Document):
         faults: list[Fault] = [
             (
                 ("points", i, "point"),
-                (f"`{name}` is a point already; names are unique; give this one another"),
+                f"`{name}` is a point already; names are unique; give this one another",
             )
             for i, name in enumerate(names)
             if name in names[:i]
@@ -226,7 +224,7 @@ class Campaign(Document):
 
     def _places(self) -> list[Fault]:
         faults: list[Fault] = [
-            (("relaxed", i), (f"the zone ends at {zone[1]}, before it begins at {zone[0]}; exchange the two"))
+            (("relaxed", i), f"the zone ends at {zone[1]}, before it begins at {zone[0]}; exchange the two")
             for i, zone in enumerate(self.zones)
             if zone[0] >= zone[1]
         ]

@@ -182,7 +182,7 @@ class Laboratory(Document):
         faults += [
             (
                 (key, index, "expires"),
-                (f"expires {each.expires}, before it was calibrated; correct one of the days"),
+                f"expires {each.expires}, before it was calibrated; correct one of the days",
             )
             for key, listed in (("sensors", self.sensors), ("equipment", self.equipment))
             for index, each in enumerate(listed)
@@ -232,11 +232,11 @@ class Laboratory(Document):
         faults: list[Fault] = []
         if received and received > self.test.performed:
             faults.append(
-                (("item", "received"), (f"received {received}, after the test; correct one of the days"))
+                (("item", "received"), f"received {received}, after the test; correct one of the days")
             )
         if self.test.issued and self.test.issued < self.test.performed:
             faults.append(
-                (("test", "issued"), (f"issued {self.test.issued}, before the test; correct one of the days"))
+                (("test", "issued"), f"issued {self.test.issued}, before the test; correct one of the days")
             )
         return faults
 

@@ -143,7 +143,7 @@ class Legform(Section):
                 faults.append(
                     (
                         ("channels", name, "title"),
-                        (f"`{channel.title}` is said of two channels; give each its own title"),
+                        f"`{channel.title}` is said of two channels; give each its own title",
                     )
                 )
         if faults:

@@ -107,7 +107,7 @@ class QuantityDimension:
         value, source, confidence = given.get("value"), given.get("source"), given.get("confidence")
         number = 0.0
         if "value" not in given:
-            faults.append(((), ("`value` is missing; write the number with its unit")))
+            faults.append(((), "`value` is missing; write the number with its unit"))
         else:
             try:
                 number = parse_quantity(value, self.name)

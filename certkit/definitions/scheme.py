@@ -89,7 +89,7 @@ class Scheme(Document):
                 faults.append(
                     (
                         ("relaxation", "limits", unknown[0]),
-                        (f"`{unknown[0]}` has no limit to be relaxed; leave it out, or give it a limit"),
+                        f"`{unknown[0]}` has no limit to be relaxed; leave it out, or give it a limit",
                     )
                 )
         if self.limits is not None and self.total is not None:

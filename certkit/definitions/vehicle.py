@@ -76,11 +76,11 @@ class Group(Section):
             for k, points in enumerate(lines):
                 if self.outlines and len(points) != len(self.outlines[0].points):
                     faults.append(
-                        ((name, k, "points"), ("every outline of a face has the same points; resample them"))
+                        ((name, k, "points"), "every outline of a face has the same points; resample them")
                     )
                 if k > 0 and places[k] <= places[k - 1]:
                     faults.append(
-                        ((name, k), ("outlines have to stand in rising order; put them in their order"))
+                        ((name, k), "outlines have to stand in rising order; put them in their order")
                     )
         if faults:
             raise Faults(faults)
@@ -184,7 +184,7 @@ class FrontSheet(Section):
             faults += [
                 (
                     (name, k),
-                    ("the first numbers have to rise from point to point; put the points in their order"),
+                    "the first numbers have to rise from point to point; put the points in their order",
                 )
                 for k in range(1, len(places))
                 if places[k] <= places[k - 1]

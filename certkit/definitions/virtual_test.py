@@ -122,7 +122,7 @@ class FiniteElements(Document):
                 faults.append(
                     (
                         ("channels", name, "column"),
-                        ("a solver's file has tables, no columns; map `table`, `of` and `variable`"),
+                        "a solver's file has tables, no columns; map `table`, `of` and `variable`",
                     )
                 )
         if faults:

@@ -64,7 +64,7 @@ def trace_of(criterion: Criterion, filtered: Filtered, window: EvaluationWindow)
     if not time.size:
         begin, end = window.start * 1e3, window.end * 1e3
         raise UnusableError(
-            (f"nothing was recorded from {begin:.6g} to {end:.6g} ms after contact; export the whole record"),
+            f"nothing was recorded from {begin:.6g} to {end:.6g} ms after contact; export the whole record",
             Reason.of("nothing-recorded", start=begin, end=end),
         )
     y = filtered.recording[name]

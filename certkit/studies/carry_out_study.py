@@ -5,8 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.definitions.loading.library import load
-from certkit.definitions.study import Study
+from certkit.definitions.loading.library import folders_of, load
 from certkit.studies import study_findings
 from certkit.studies.execution import Execution
 from certkit.studies.journal import JOURNAL, forget
@@ -15,6 +14,7 @@ from certkit.studies.run_study import optimise_and_write, optimum, study_and_wri
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from certkit.definitions.study import Study
     from certkit.studies.dask_cluster import ClusterAddress
     from certkit.studies.execution import Progress
     from certkit.studies.optimise import Optimum
@@ -67,7 +67,7 @@ def study(  # noqa: PLR0913  # as many as the command has options
     DefinitionError, UsageError
         Before anything is run.
     """
-    folders = [Path(each) for each in ([library] if isinstance(library, (str, Path)) else library)]
+    folders = folders_of(library)
     sheet = study_sheet(document, folders)
     execution = Execution(processes, cluster, progress)
     if out is None:
@@ -90,6 +90,6 @@ def study(  # noqa: PLR0913  # as many as the command has options
 
 def study_sheet(document: Study | str | Path, library: Sequence[Path] = ()) -> Study:
     """Return the study that is given, named or in a file."""
-    if isinstance(document, Study):
-        return document
-    return load("study", document, library=library).document
+    return (
+        load("study", document, library=library).document if isinstance(document, (str, Path)) else document
+    )

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from certkit._version import __version__
 from certkit.definitions.diagnosis import Diagnosis
-from certkit.definitions.loading.library import load
+from certkit.definitions.loading.library import folders_of, load
 from certkit.definitions.units import parse_quantity
 from certkit.documents.twin_report import PartFinding, TwinCurve, TwinReport, TwinTest
 from certkit.errors import DataError, UsageError
@@ -32,6 +31,7 @@ from certkit.studies.tested_legs import TestedLeg, tested_legs
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+    from pathlib import Path
 
     from numpy.typing import NDArray
 
@@ -78,7 +78,7 @@ def twin(
     UsageError
         When nothing is given, or the diagnosis does not fit.
     """
-    folders = [Path(each) for each in ([library] if isinstance(library, (str, Path)) else library)]
+    folders = folders_of(library)
     sheet = load("diagnosis", diagnosis, library=folders).document
     if not isinstance(sheet, Diagnosis):
         raise TypeError("not a diagnosis")

@@ -18,7 +18,7 @@ from msgspec.structs import replace
 from certkit._version import __version__
 from certkit.bench.render_documents import render
 from certkit.bench.result_folder import refuse_other_name
-from certkit.definitions.loading.library import load
+from certkit.definitions.loading.library import folders_of, load
 from certkit.definitions.uncertainty_budget import UncertaintyBudget
 from certkit.definitions.units import split_quantity
 from certkit.documents.uncertainty_report import UncertaintyReport
@@ -83,7 +83,7 @@ def uncertainty(
     RunError
         When the run with everything as it should be fails.
     """
-    folders = [Path(each) for each in ([library] if isinstance(library, (str, Path)) else library)]
+    folders = folders_of(library)
     sheet = budget_sheet(document, folders)
     if out is None:
         return _propagated(sheet, folders, execution)

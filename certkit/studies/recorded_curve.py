@@ -30,6 +30,11 @@ FINE = 2001
 """Places in the window at which two curves are compared."""
 
 
+def curve_name(procedure: str, abscissa: str, ordinate: str) -> str:
+    """Return what a curve is called: `pendulum/T1 over time`; the abscissa is empty for the time."""
+    return f"{procedure}/{ordinate} over {abscissa or 'time'}"
+
+
 class RecordedCurve(Struct, frozen=True):
     """A recorded curve with the window in which it counts. SI units.
 
@@ -70,7 +75,7 @@ class RecordedCurve(Struct, frozen=True):
     @property
     def name(self) -> str:
         """`pendulum/T1 over time`, `static-knee/MCL over ram force`."""
-        return f"{self.procedure}/{self.ordinate} over {self.abscissa or 'time'}"
+        return curve_name(self.procedure, self.abscissa, self.ordinate)
 
     @property
     def dimension(self) -> Dimension:

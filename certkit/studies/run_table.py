@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import json
 from importlib.util import find_spec
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from certkit.errors import UsageError
 from certkit.files import write_whole
@@ -84,11 +85,8 @@ def write_table(
         written.append(folder / f"{name}.csv")
         write_whole(written[-1], table.rename(columns=heads).to_csv(index=False, lineterminator="\n"))
     if "json" in formats:
-        rows = [
-            {str(name): None if value != value else value for name, value in row.items()}  # noqa: PLR0124  # NaN
-            for row in table.astype(object).to_dict(orient="records")
-        ]
-        text = json.dumps({"units": dict(units), "rows": rows}, ensure_ascii=False, indent=1, allow_nan=False)
+        data = {"units": dict(units), "rows": records(table)}
+        text = json.dumps(data, ensure_ascii=False, indent=1, allow_nan=False)
         written.append(folder / f"{name}.json")
         write_whole(written[-1], text + "\n")
     if "parquet" in formats:
@@ -97,9 +95,15 @@ def write_table(
     return written
 
 
-def _write_parquet(table: pd.DataFrame, path: Path) -> None:
-    import io  # noqa: PLC0415  # beside its only use
+def records(table: pd.DataFrame) -> list[dict[str, Any]]:
+    """Return the rows of a table by their columns' names; what is NaN there is None."""
+    return [
+        {str(name): None if value != value else value for name, value in row.items()}  # noqa: PLR0124  # NaN
+        for row in table.astype(object).to_dict(orient="records")
+    ]
 
+
+def _write_parquet(table: pd.DataFrame, path: Path) -> None:
     buffer = io.BytesIO()
     table.to_parquet(buffer, index=False)
     write_whole(path, buffer.getvalue())

@@ -10,6 +10,7 @@ from certkit._version import __version__
 from certkit.documents.optimum_report import OptimumReport, OptimumValue, PursuedAim
 from certkit.documents.study_report import Cloud, Effect, SensitivityIndex, StudyReport, VariedParameter
 from certkit.studies.factors import Levels
+from certkit.studies.run_table import records
 from certkit.studies.study_findings import Findings
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ def report_of(found: Findings | Optimum) -> StudyReport | OptimumReport:
 
 def study_report(findings: Findings) -> StudyReport:
     """Return the document of a study with a design."""
-    effects = [Effect(**row) for row in _records(findings.effects)]
+    effects = [Effect(**row) for row in records(findings.effects)]
     outputs = [name for name in dict.fromkeys(e.output for e in effects) if not _is_quality(name)]
     return StudyReport(
         study=findings.name,
@@ -49,7 +50,7 @@ def study_report(findings: Findings) -> StudyReport:
         effects=effects,
         indices=None
         if findings.indices is None
-        else [SensitivityIndex(**row) for row in _records(findings.indices)],
+        else [SensitivityIndex(**row) for row in records(findings.indices)],
         models=findings.models,
         chances=findings.chances,
         outputs=outputs,
@@ -147,10 +148,3 @@ def _plain(value: Any) -> FigureOrWord:  # noqa: ANN401  # a cell of a table
 
 def _number(value: Any) -> float | None:  # noqa: ANN401  # a cell of a table
     return None if value != value else float(value)  # noqa: PLR0124  # NaN
-
-
-def _records(frame: pd.DataFrame) -> list[dict[str, Any]]:
-    return [
-        {str(k): None if v != v else v for k, v in row.items()}  # noqa: PLR0124  # NaN
-        for row in frame.astype(object).to_dict(orient="records")
-    ]

@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct, field
 from msgspec.structs import replace
 
-from certkit.definitions.loading.library import load
 from certkit.definitions.study import DESIGNS, Study
-from certkit.errors import UsageError
 from certkit.studies.designs import design_of
 from certkit.studies.designs.shares import correlation_matrix
 from certkit.studies.execution import USUAL, Execution
@@ -70,7 +68,7 @@ class Findings(Struct, frozen=True):
 
 
 def study(
-    document: Study | str | Path,
+    sheet: Study,
     *,
     library: Sequence[Path] = (),
     execution: Execution = USUAL,
@@ -79,8 +77,7 @@ def study(
 
     Parameters
     ----------
-    document : Study, str or Path
-        The study, or the name or path of its file.
+    sheet : Study
     library : sequence of Path
         Folders with own definitions.
     execution : Execution
@@ -95,14 +92,6 @@ def study(
     UsageError
         When parameters and definitions do not fit together, before anything is run.
     """
-    sheet = document if isinstance(document, Study) else load("study", document, library=library).document
-    if not isinstance(sheet, Study):
-        raise TypeError("not a study")
-    if sheet.design is None:
-        raise UsageError(
-            "only a study with a design can be carried out; an optimisation is searched"
-            "; run it with `certkit study`"
-        )
     trial, factors = set_up(sheet, library)
     with Runs(trial, execution, context=trial.context) as runs:
         return replace(carry_out(sheet, factors, runs), output_units=trial.output_units())

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
+from pydantic import BaseModel
 
 import certkit
 from certkit.bench.package_versions import package_versions
@@ -15,6 +16,7 @@ from certkit.bench.setup import Setup, Unchanged, prepare
 from certkit.definitions.loading.kinds import kind_of
 from certkit.definitions.loading.library import search_order
 from certkit.definitions.loading.old_forms import path_of_today
+from certkit.definitions.loading.parameter_list import parameters
 from certkit.definitions.loading.search_path import RememberedStore
 from certkit.grading import grade_criteria, grade_quality, measure_all, overall
 from certkit.grading.asked_criterion import dimension_of
@@ -193,10 +195,6 @@ def scoped(name: str) -> tuple[str, str]:
 
 def numbers_of(document: object) -> list[tuple[str, str]]:
     """List path and written value of every number in a document; nothing for None."""
-    from pydantic import BaseModel  # noqa: PLC0415  # beside its only use
-
-    from certkit.definitions.loading.parameter_list import parameters  # noqa: PLC0415  # likewise
-
     return [(p.path, p.value) for p in parameters(document)] if isinstance(document, BaseModel) else []
 
 

@@ -197,7 +197,7 @@ def _criteria(criteria: Any, channels: ChannelTable) -> Iterator[Finding]:  # no
         if isinstance(name, str) and name in seen:
             yield (
                 (*steps, "id"),
-                (f"`{name}` is the id of a criterion already; ids are unique; give this one another"),
+                f"`{name}` is the id of a criterion already; ids are unique; give this one another",
             )
         seen.add(str(name))
         yield from (((*steps, *way), said) for way, said in _criterion(criterion, channels))

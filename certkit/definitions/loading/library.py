@@ -269,6 +269,11 @@ def stores(library: Library) -> tuple[Path | DefinitionStore, ...]:
     return tuple(Path(entry) if isinstance(entry, str) else entry for entry in entries)
 
 
+def folders_of(library: str | Path | Sequence[str | Path]) -> list[Path]:
+    """Return the folders of a library that has nothing but folders."""
+    return [Path(each) for each in ([library] if isinstance(library, (str, Path)) else library)]
+
+
 def names(kind: str, library: Library = ()) -> list[str]:
     """Return the names of all definitions of a kind, sorted."""
     known = kind_of(kind)

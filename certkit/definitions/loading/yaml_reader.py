@@ -149,7 +149,7 @@ def _events(text: str, file: str) -> Iterator[Any]:
         line = text.count("\n", 0, position) + 1 if isinstance(position, int) else 0
         raise DefinitionError([Problem(file, line, int(line > 0), message)]) from None
     except (RecursionError, ValueError):  # the parser's own limits, and what libyaml hands to Python
-        raise DefinitionError([Problem(file, 0, 0, ("cannot be read as YAML; correct the line"))]) from None
+        raise DefinitionError([Problem(file, 0, 0, "cannot be read as YAML; correct the line")]) from None
 
 
 def _syntax(error: yaml.MarkedYAMLError, text: str) -> str:

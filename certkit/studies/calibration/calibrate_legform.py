@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.definitions.loading.library import load
+from certkit.definitions.loading.library import folders_of
 from certkit.errors import UsageError
 from certkit.studies.calibration import fit
 from certkit.studies.calibration.run_calibration import fit_and_write
@@ -71,7 +71,7 @@ def calibrate(  # noqa: PLR0913  # as many as the command has options
     """
     if family is not None and out is None:
         raise UsageError("a family is written as files; say where with `out`")
-    folders = [Path(each) for each in ([library] if isinstance(library, (str, Path)) else library)]
+    folders = folders_of(library)
     task = fit.make_ready(document, folders)
     execution = Execution(processes, cluster)
     if out is None:
@@ -81,8 +81,3 @@ def calibrate(  # noqa: PLR0913  # as many as the command has options
     if fresh:
         forget(folder / JOURNAL)
     return fit_and_write(task, folder, family=family, execution=execution, tell=tell, force=force)
-
-
-def fit_sheet(document: CalibrationTask | str | Path, library: Sequence[Path] = ()) -> CalibrationTask:
-    """Return the fit that is given, named or in a file."""
-    return load("fit", document, library=library).document if isinstance(document, (str, Path)) else document

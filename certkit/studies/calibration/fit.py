@@ -87,6 +87,11 @@ class Calibration(Struct, frozen=True):
         return float(np.sqrt(np.mean(np.square(distances(self.task.goals, outcome)))))
 
 
+def fit_sheet(document: CalibrationTask | str | Path, library: Sequence[Path] = ()) -> CalibrationTask:
+    """Return the fit that is given, named or in a file."""
+    return load("fit", document, library=library).document if isinstance(document, (str, Path)) else document
+
+
 def make_ready(document: CalibrationTask | str | Path, library: Sequence[Path] = ()) -> Task:
     """Load everything a fit needs and check that it fits together.
 
@@ -102,11 +107,7 @@ def make_ready(document: CalibrationTask | str | Path, library: Sequence[Path] =
     UsageError, DefinitionError
         Before anything is run.
     """
-    sheet = (
-        document if isinstance(document, CalibrationTask) else load("fit", document, library=library).document
-    )
-    if not isinstance(sheet, CalibrationTask):
-        raise TypeError("not a fit document")
+    sheet = fit_sheet(document, library)
     folder = Path() if isinstance(document, CalibrationTask) else Path(document).parent
     if folder != Path():
         library = (*library, folder)

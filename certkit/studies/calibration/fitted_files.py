@@ -184,7 +184,7 @@ def report(calibration: Calibration, members: NDArray[Any] | None = None) -> Cal
 
 def _document(calibration: Calibration, kind: str, name: str, overrides: Overrides) -> str:
     known = kind_of(kind)
-    found = find(known, name, [_folder(path) for path in calibration.task.trial.library])
+    found = find(known, name, calibration.task.trial.library)
     # Written in the form of today, whatever form the file and the fit's paths have.
     tree, overrides, _ = modernised(known, read_tree(found.data, found.label), overrides)
     tree, _ = change(tree, overrides, known.model)
@@ -221,12 +221,6 @@ def _following(outcome: Outcome, curve: RecordedCurve) -> Following:
     )
 
 
-def _folder(path: str) -> Path:
-    from pathlib import Path  # noqa: PLC0415  # beside its only use
-
-    return Path(path)
-
-
 def _source(calibration: Calibration) -> str:
     targets = ", ".join(dict.fromkeys(target.procedure for target in calibration.task.sheet.targets))
     return f"fit {calibration.task.sheet.fit} to {targets}"
@@ -261,9 +255,7 @@ def _mapping(dumper: _Dumper, data: dict[str, Any]) -> yaml.Node:
 
 
 def _sequence(dumper: _Dumper, data: list[Any]) -> yaml.Node:
-    flow = not any(
-        isinstance(item, dict) and not set(item) <= {"value", "source", "confidence"} for item in data
-    )
+    flow = not any(isinstance(item, dict) and not set(item) <= NUMBER for item in data)
     return dumper.represent_sequence("tag:yaml.org,2002:seq", data, flow_style=flow)
 
 

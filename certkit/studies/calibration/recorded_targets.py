@@ -17,7 +17,7 @@ from certkit.grading.quantities import quantity
 from certkit.signals import Filtered
 from certkit.studies.calibration.targets import Goal
 from certkit.studies.quantity import share
-from certkit.studies.recorded_curve import RecordedCurve, curve_of
+from certkit.studies.recorded_curve import RecordedCurve, curve_name, curve_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -66,7 +66,7 @@ def recorded_goals(target: Target, curves: dict[str, RecordedCurve]) -> list[Goa
     goals = []
     table = next(curve.table for curve in curves.values() if curve.procedure == target.procedure)
     for pair in _pairs(target, table):
-        curve = curves[_name(target.procedure, *pair)]
+        curve = curves[curve_name(target.procedure, *pair)]
         scale, unit = curve.dimension.scale, curve.dimension.unit
         one = tolerance * abs(curve.peak) * scale
         if target.measure == "peak":
@@ -102,10 +102,6 @@ def _pairs(target: Target, table: ChannelTable) -> list[tuple[str, str]]:
     return pairs
 
 
-def _name(procedure: str, abscissa: str, ordinate: str) -> str:
-    return f"{procedure}/{ordinate} over {abscissa or 'time'}"
-
-
 def _curves(target: Target, folder: Path) -> list[RecordedCurve]:
     mapping = load("mapping", folder / target.mapping).document if target.mapping else None
     if not isinstance(mapping, Mapping | None):
@@ -125,7 +121,7 @@ def _curves(target: Target, folder: Path) -> list[RecordedCurve]:
             across = kind.dimension if kind is not None else TIME
             start, end = (quantity(t, across, f"{target.procedure}, `window`") for t in target.window)
         slack = 1e-6 * abs(end - start)
-        name = _name(target.procedure, abscissa, ordinate)
+        name = curve_name(target.procedure, abscissa, ordinate)
         if not start < end:
             raise UsageError(f"{name}: the window is empty; its end has to lie behind its start")
         if start < x[0] - slack or end > x[-1] + slack:
