@@ -42,10 +42,9 @@ def meaning(verdict: Verdict) -> str:
 
 
 def named(name: str, title: str) -> str:
-    """Return `T1 Tibia moment 1` and `MCL elongation`: a name is not said twice."""
-    return (
-        title[:1].upper() + title[1:] if title.casefold().startswith(name.casefold()) else f"{name} {title}"
-    )
+    """Return `T1 Tibia moment 1`, `MCL elongation` and `Knee bending angle`: nothing is said twice."""
+    said = name.islower() or title.casefold().startswith(name.casefold())
+    return title[:1].upper() + title[1:] if said else f"{name} {title}"
 
 
 def rest(name: str, title: str) -> str:

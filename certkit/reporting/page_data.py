@@ -70,6 +70,7 @@ def _channels(result: Result) -> list[dict[str, Any]]:
                 "name": name,
                 "key": slug(name),
                 "title": series.title,
+                "label": series.title if name.islower() else name,
                 "unit": series.unit,
                 "decimals": decimals,
                 "steps": differences([round(v * 10 ** (decimals + 1)) for v in series.values]),

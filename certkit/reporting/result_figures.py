@@ -118,7 +118,7 @@ class ResultFigures(Struct, frozen=True, dict=True):
         """What a vehicle's front did."""
         from certkit.reporting.vehicle_front_view import front_view  # noqa: PLC0415  # likewise
 
-        return front_view(self.result.front)
+        return front_view(self.result.front, self.spoken)
 
 
 def drawable(result: Result) -> bool:

@@ -10,6 +10,9 @@ if TYPE_CHECKING:
     from certkit.documents.rig_motion import Motion
     from certkit.reporting.language import Language
 
+_NOTES = ("{angle}° above horizontal", "up to {force} kN", "{mass} kg at {speed} m/s")
+"""What a fixture says beside its name, with its numbers."""
+
 _NUMBERED = re.compile(r"(.*\D) (\d+)")
 _LIGAMENT = re.compile(r"([A-Z]{2,4}) (.+)")
 _TARGETS = re.compile(r"Own targets, (.+) of the limits: (.+)")
@@ -69,13 +72,24 @@ def _histories(histories: Histories | None, spoken: Language) -> Histories | Non
     return histories.model_copy(update={"series": series})
 
 
+def _note_in(note: str, spoken: Language) -> str:
+    """Return a note in a language; one that no fixture of ours writes stays."""
+    for known in _NOTES:
+        pattern = re.sub(r"\\{(\w+)\\}", r"(?P<\1>\\S+)", re.escape(known))
+        if found := re.fullmatch(pattern, note):
+            return spoken.word(known, **found.groupdict())
+    return note
+
+
 def _motion(motion: Motion | None, spoken: Language) -> Motion | None:
-    """Name the parts of leg and rig; what is noted beside a name stays."""
+    """Name the parts of leg and rig, with what is noted beside a name."""
     if motion is None:
         return None
     named: dict[str, list[object]] = {
         field: [
-            shape.model_copy(update={"name": title_in(shape.name, spoken)})
+            shape.model_copy(
+                update={"name": title_in(shape.name, spoken), "note": _note_in(shape.note, spoken)}
+            )
             for shape in getattr(motion, field)
         ]
         for field in ("shapes", "scene", "before")

@@ -1,7 +1,8 @@
 // Time histories: a shared cursor and a shared time window over all charts of one report.
-// Geometry is that of charts/frame.py: the drawing area starts 46 px from the left, ends 12 px from the right,
+// Geometry is that of charts/axes.py: the drawing area starts 46 px from the left, ends 14 px from the right,
 // 28 px from the top and 22 px from the bottom.
 const SVG = "http://www.w3.org/2000/svg";
+const READING = 112; // px that the reading of the cursor takes
 
 function element(name, attributes, parent) {
   const node = document.createElementNS(SVG, name);
@@ -39,7 +40,7 @@ function roundTicks(low, high, most) {
 function setUpCurve(figure, channel, axis, shared) {
   const svg = figure.querySelector("svg");
   const [, , width, height] = svg.getAttribute("viewBox").split(" ").map(Number);
-  const box = { left: 46, right: width - 12, top: 28, bottom: height - 22 };
+  const box = { left: 46, right: width - 14, top: 28, bottom: height - 22 };
   const [low, high] = channel.range;
   const y = (v) => box.bottom - ((v - low) / (high - low)) * (box.bottom - box.top);
   const x = (t) => box.left + ((t - shared.from) / (shared.to - shared.from)) * (box.right - box.left);
@@ -51,7 +52,21 @@ function setUpCurve(figure, channel, axis, shared) {
   const drag = element("rect", { class: "drag", y: box.top, height: box.bottom - box.top, width: 0 }, svg);
   const line = element("line", { class: "cursor", y1: box.top, y2: box.bottom }, svg);
   const dot = element("circle", { class: "cursor-dot", r: 3 }, svg);
-  const readout = element("text", { class: "readout", x: box.right, y: box.top + 11, "text-anchor": "end", "aria-hidden": "true" }, svg);
+  const readout = element("text", { class: "readout", "aria-hidden": "true" }, svg);
+
+  // The reading stands in the first corner that the curve and its peak leave free, from the upper right one on.
+  function placeReadout() {
+    const times = Array.from({ length: 61 }, (_, k) => shared.from + ((shared.to - shared.from) * k) / 60);
+    const points = times.map((t) => [x(t), y(valueAt(channel, axis, t))]);
+    if (channel.peak) points.push([x(channel.peak[0]), y(channel.peak[1])]);
+    const corners = [[true, true], [false, true], [true, false], [false, false]];
+    const free = corners.find(([right, above]) => !points.some(([a, b]) =>
+      (right ? a > box.right - READING : a < box.left + READING) && (above ? b < box.top + 18 : b > box.bottom - 18)));
+    const [right, above] = free || corners[0];
+    readout.setAttribute("x", right ? box.right : box.left + 4);
+    readout.setAttribute("y", above ? box.top + 11 : box.bottom - 5);
+    readout.setAttribute("text-anchor", right ? "end" : "start");
+  }
 
   // At most two points a pixel: the lowest and the highest of what falls together.
   function trace(values, times) {
@@ -60,16 +75,17 @@ function setUpCurve(figure, channel, axis, shared) {
     for (let i = 0; i < values.length; i += stride) {
       const t = times(i);
       if (t < shared.from || t > shared.to) continue;
-      found.push(`${x(t).toFixed(1)} ${y(values[i]).toFixed(1)}`);
+      found.push([x(t), y(values[i])]);
     }
-    return found.length ? "M" + found.join("L") : "";
+    return found;
   }
+  const drawn = (points) => (points.length ? "M" + points.map(([a, b]) => `${a.toFixed(1)} ${b.toFixed(1)}`).join("L") : "");
 
   function draw() {
-    curve.setAttribute("d", trace(channel.values, (i) => axis.start + i * axis.step));
+    curve.setAttribute("d", drawn(trace(channel.values, (i) => axis.start + i * axis.step)));
     bands.forEach((band, i) => {
       const points = channel.band.filter((l) => l.length)[i] || [];
-      band.setAttribute("d", trace(points.map((p) => p[1]), (k) => points[k][0]));
+      band.setAttribute("d", drawn(trace(points.map((p) => p[1]), (k) => points[k][0])));
     });
     marks.replaceChildren();
     for (const t of roundTicks(shared.from, shared.to, 7)) {
@@ -82,6 +98,7 @@ function setUpCurve(figure, channel, axis, shared) {
       peak.setAttribute("cx", x(t));
       peak.setAttribute("display", inside ? "inline" : "none");
     }
+    placeReadout();
     point();
   }
 
@@ -127,7 +144,7 @@ function setUpCurve(figure, channel, axis, shared) {
   svg.addEventListener("dblclick", () => shared.whole());
   figure.tabIndex = 0;
   figure.setAttribute("role", "group");
-  figure.setAttribute("aria-label", `${channel.title}: arrow keys move the cursor, plus and minus zoom, 0 shows the whole test`);
+  figure.setAttribute("aria-label", figure.closest("[data-keys]").dataset.keys.replace("{channel}", channel.title));
   figure.dataset.live = "";
   figure.addEventListener("keydown", (event) => {
     const step = (shared.to - shared.from) / (event.shiftKey ? 20 : 100);

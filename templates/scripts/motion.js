@@ -32,7 +32,7 @@ function drawnShape(shape, fill, parent) {
 function setUpStage(stage, motion) {
   const [left, right, low, high] = motion.box.map((v) => v * 1000);
   const svg = element("svg", {
-    viewBox: `${left} ${-high} ${right - left} ${high - low}`, role: "img", "aria-label": stage.dataset.words || "Legform and rig in motion",
+    viewBox: `${left} ${-high} ${right - left} ${high - low}`, role: "img", "aria-label": stage.dataset.words,
   }, stage);
   const sides = (stage.dataset.stage || "").split(" ");
   const frames = unpacked(motion.poses, motion.times);
@@ -99,7 +99,7 @@ function setUpGauges(body, data) {
     const row = body.insertRow();
     const head = document.createElement("th");
     head.scope = "row";
-    head.textContent = channel.name;
+    head.textContent = channel.label || channel.name;
     head.title = channel.title;
     const value = row.appendChild(head) && row.insertCell();
     value.className = "n";
@@ -146,6 +146,7 @@ function setUpMotion(report, data, shared) {
   const clock = player.querySelector("[data-time]");
   const scrub = player.querySelector("[data-scrub]");
   const play = player.querySelector("[data-play]");
+  const still = play.textContent;
   const speed = player.querySelector("[data-speed]");
   scrub.min = first;
   scrub.max = last;
@@ -162,7 +163,7 @@ function setUpMotion(report, data, shared) {
     for (const gauge of gauges) gauge(shared.time);
     clock.textContent = written(shared.time, 1);
     scrub.value = shared.time;
-    scrub.setAttribute("aria-valuetext", `${written(shared.time, 1)} milliseconds`);
+    scrub.setAttribute("aria-valuetext", `${written(shared.time, 1)} ${scrub.dataset.unit}`);
   }
 
   const steady = matchMedia("(prefers-reduced-motion: reduce)");
@@ -189,7 +190,7 @@ function setUpMotion(report, data, shared) {
   function stop() {
     cancelAnimationFrame(running);
     running = 0;
-    play.textContent = "▶ Play";
+    play.textContent = still;
   }
   play.addEventListener("click", () => {
     if (running) {
@@ -199,7 +200,7 @@ function setUpMotion(report, data, shared) {
     if (shared.time >= last - 1e-9) shared.goTo(first);
     before = 0;
     reached = shown = shared.time;
-    play.textContent = "❚❚ Pause";
+    play.textContent = play.dataset.pause;
     running = requestAnimationFrame(tick);
   });
   scrub.addEventListener("input", () => {
@@ -225,7 +226,7 @@ function setUpMotion(report, data, shared) {
   const told = player.querySelector("[data-slow]");
   const tell = () => {
     const times = (SECONDS * 1000) / (last - first) / Number(speed.value);
-    told.textContent = times > 1.5 ? `${Math.round(times)} times slower than real` : "";
+    told.textContent = times > 1.5 ? told.dataset.slow.replace("{times}", Math.round(times)) : "";
   };
   speed.addEventListener("change", tell);
   tell();

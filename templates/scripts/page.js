@@ -60,7 +60,7 @@ function setUpTimed(report, shared) {
       const x = left + (shared.time - first) * scale;
       line.setAttribute("x1", x);
       line.setAttribute("x2", x);
-      line.style.visibility = x < 45 || x > width - 11 ? "hidden" : "visible";
+      line.style.visibility = x < 45 || x > width - 13 ? "hidden" : "visible";
     });
     svg.style.cursor = "crosshair";
     svg.addEventListener("click", (event) => {
@@ -117,8 +117,8 @@ const dark = () => {
   return chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
 };
 const label = () => {
-  toggle.textContent = dark() ? "Light" : "Dark";
-  toggle.setAttribute("aria-label", dark() ? "Switch to light colours" : "Switch to dark colours");
+  toggle.textContent = dark() ? toggle.dataset.light : toggle.dataset.dark;
+  toggle.setAttribute("aria-label", dark() ? toggle.dataset.toLight : toggle.dataset.toDark);
 };
 toggle.addEventListener("click", () => {
   document.documentElement.dataset.theme = dark() ? "light" : "dark";

@@ -248,3 +248,22 @@ def test_a_click_on_a_channel_of_run_and_model_moves_the_picture_there(
     assert cursors.count() > 5
     assert max(float(x or 0) for x in places) == pytest.approx(180, abs=8)
     page.context.close()
+
+
+def test_no_reading_covers_a_peak(browser: Browser, tmp_path: Path) -> None:
+    from certkit import run  # noqa: PLC0415  # the browser tests alone need it
+    from certkit.reporting.html_report import page  # noqa: PLC0415  # likewise
+    from certkit.reporting.result_view import view  # noqa: PLC0415  # likewise
+
+    (tmp_path / "knee.html").write_text(page(view(run("static-knee", refine=False))))
+    watched = opened(browser, tmp_path, "knee")
+    boxes = watched.page.evaluate(
+        "() => [...document.querySelectorAll('[data-channel]')].map((f) => ['.readout', '.peak'].map((s) => {"
+        "const e = f.querySelector(s); if (!e) return null; const r = e.getBoundingClientRect();"
+        "return [r.left, r.right, r.top, r.bottom]; })).filter((pair) => pair.every(Boolean))"
+    )
+    assert len(boxes) > 2
+    for reading, peak in boxes:
+        across = reading[0] < peak[1] and peak[0] < reading[1]
+        assert not (across and reading[2] < peak[3] and peak[2] < reading[3])
+    watched.page.context.close()

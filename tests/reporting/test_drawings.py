@@ -133,7 +133,7 @@ def test_the_peak_is_marked_where_the_criterion_says(pendulum: Result):
     root = parsed(history_chart(pendulum.curves, "T1", criterion))
     peak = next(e for e in root.iter(f"{SVG}circle") if "peak" in e.get("class"))
     end = (pendulum.curves.count - 1) * pendulum.curves.interval
-    assert float(peak.get("cx")) == pytest.approx(Scale(0, end, 46, 348)(criterion.time), abs=0.1)
+    assert float(peak.get("cx")) == pytest.approx(Scale(0, end, 46, 346)(criterion.time), abs=0.1)
 
 
 def test_a_largest_magnitude_below_zero_is_marked_below_zero_with_its_corridor_there():

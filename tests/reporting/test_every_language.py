@@ -17,6 +17,7 @@ import yaml
 from support import synthetic_campaign, synthetic_extraction, synthetic_result
 from support.worn_leg import worn
 
+import certkit
 from certkit.documents.comparison import (
     AgreementCheck,
     ChannelRating,
@@ -34,7 +35,7 @@ from certkit.reporting import language_list
 from certkit.reporting.document_reports import render_document
 from certkit.reporting.language import language, worded
 from certkit.reporting.language_list import languages
-from certkit.reporting.templating import _environment
+from certkit.reporting.templating import _environment, folder
 from certkit.reporting.translated_titles import title_in
 from certkit.reporting.works_cited import bibliography
 from tests.documents.test_any_document import DOCUMENTED
@@ -74,6 +75,12 @@ def brackets(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[str]:
     _environment.cache_clear()
 
 
+READ = {"aria-label", "alt", "title", "data-dark", "data-light", "data-to-dark", "data-to-light"} | {
+    *("data-keys", "data-words", "data-pause", "data-unit", "data-slow"),
+}
+"""Attributes that are read aloud, or shown by the page's scripts."""
+
+
 class Said(HTMLParser):
     """What a page says to its reader: texts, and the attributes that are read aloud or shown."""
 
@@ -84,7 +91,7 @@ class Said(HTMLParser):
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         self.skipping += tag in {"style", "script"}
-        self.texts += [value for name, value in attrs if value and name in {"aria-label", "alt", "title"}]
+        self.texts += [value for name, value in attrs if value and name in READ]
 
     def handle_endtag(self, tag: str) -> None:
         self.skipping -= tag in {"style", "script"}
@@ -232,6 +239,25 @@ def test_no_english_word_remains(word: str, brackets: str, tmp_path: Path):
     assert '<html lang="xx">' in text
     assert document.id in text or word == "logbook-overview"
     assert forgotten(text, document) == []
+
+
+def test_no_english_word_remains_of_a_front_and_a_rig(brackets: str, tmp_path: Path):
+    for name in ("vehicle", "pendulum", "inverse", "static-knee"):
+        document = worded(certkit.run(name, refine=False)).as_written()
+        (page,) = render_document(document, tmp_path / name, ["html"], spoken=brackets)
+        assert forgotten(page.read_text("utf-8"), document) == []
+
+
+def test_scripts_have_no_words_of_their_own():
+    scripts = sorted((folder() / "scripts").glob("*.js"))
+    assert scripts
+    for script in scripts:
+        shown = re.findall(r"textContent = (.*);|\"aria-\w+\", (.*)\);", script.read_text("utf-8"))
+        assert shown
+        for line in shown:
+            literals = " ".join(re.findall(r"[\"`][^\"`]*[\"`]", "".join(line)))
+            said = re.sub(r"\{[^}]*\}|\[[^]]*\]|aria-\w+", "", literals)  # placeholders and selectors
+            assert words_of(said) <= NEUTRAL, script.name
 
 
 @pytest.mark.parametrize("code", languages())

@@ -30,7 +30,7 @@ class Frame(Struct, frozen=True):
         above: float = 28,
     ) -> Frame:
         """Leave room for ticks and titles. The page's scripts know these numbers."""
-        return cls(width, height, Scale(*x, 46, width - 12), Scale(*y, height - below, above))
+        return cls(width, height, Scale(*x, 46, width - 14), Scale(*y, height - below, above))
 
     @property
     def left(self) -> float:

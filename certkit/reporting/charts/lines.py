@@ -30,7 +30,7 @@ def lines_chart(  # noqa: PLR0913  # words, lines, and what stands beside them
     Parameters
     ----------
     lines : sequence of (name, x, y)
-        All are told apart, by colour or dash.
+        All are told apart, by colour or dash; one without a name has no key.
     title, x_title, unit : str
         Words at the plot's head, at its abscissa and the ordinate's unit.
     width, height : float
@@ -69,6 +69,8 @@ def lines_chart(  # noqa: PLR0913  # words, lines, and what stands beside them
             stroke_dasharray=pen.dash,
             class_=css,
         )
+        if not name:
+            continue
         line = 10.0 + 16 * row
         drawn += tag(
             "line",
@@ -86,7 +88,8 @@ def lines_chart(  # noqa: PLR0913  # words, lines, and what stands beside them
         pen = pens[index % len(pens)]
         at = frame.place(a, b)
         drawn += tag("circle", cx=at[0], cy=at[1], r=3.4, fill=pen.colour, class_=f"dot {_css(pen)}")
-    return Drawing(width, height, drawn, f"{title}, {unit}: " + ", ".join(name for name, _, _ in lines))
+    names = ", ".join(name for name, _, _ in lines)
+    return Drawing(width, height, drawn, f"{title}, {unit}: {names}" if names else f"{title}, {unit}")
 
 
 def _css(pen: palette.Pen) -> str:

@@ -64,10 +64,13 @@ def plane_chart(
     if not curve.polygon:
         # A curve that runs low on the right leaves its room above.
         lowest = max((frame.y(b) for a, b in curve.points if 2 * a > x[0] + x[1]), default=frame.top)
-        runs_low = lowest > frame.bottom - 30
+        height = frame.top + 12 if lowest > frame.bottom - 30 else frame.bottom - 18
+        zero = frame.y(0.0)
+        if height - 11 < zero < height + 4:  # the zero line would strike it through
+            height = zero + 14 if zero + 18 < frame.bottom else zero - 6
         drawn += label(
             frame.right - 4,
-            frame.top + 12 if runs_low else frame.bottom - 18,
+            height,
             t("no corridor known: shown, not graded"),
             text_anchor="end",
             fill=palette.MUTED,
