@@ -2,13 +2,25 @@
 
 from typing import Annotated, Literal, Self
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
 from certkit.definitions.base import Section
+from certkit.definitions.bounded_numbers import (
+    AngleFromZero,
+    ForceFromZero,
+    LengthAboveZero,
+    LengthFromZero,
+    RatioAboveZero,
+    RatioFromZero,
+    RatioToOne,
+    SpeedAboveZero,
+    StiffnessAboveZero,
+    TimeFromZero,
+)
+from certkit.definitions.flesh_foam import FleshFoam
 from certkit.definitions.loading.faults import Faults
 from certkit.definitions.loading.field_types import Axes
 from certkit.definitions.provenance import (
-    Angle,
     BendingStiffness,
     Damping,
     Force,
@@ -17,13 +29,8 @@ from certkit.definitions.provenance import (
     Inertia,
     Length,
     Mass,
-    Number,
-    Pressure,
-    Ratio,
     RotationalStiffness,
-    Speed,
     Stiffness,
-    Time,
 )
 
 
@@ -31,20 +38,20 @@ class PartJoint(Section):
     """A rotational spring between a part and the next one below it."""
 
     stiffness: RotationalStiffness
-    damping_time: Annotated[Time, Field(description="Damping divided by stiffness.")]
+    damping_time: Annotated[TimeFromZero, Field(description="Damping divided by stiffness.")]
 
 
 class Bone(Section):
     """A part of the leg, such as femur and tibia: rigid segments on pivots with rotational springs."""
 
-    length: Length
-    depth: Annotated[Length, Field(description="Outer size along the impact.")]
+    length: LengthAboveZero
+    depth: Annotated[LengthAboveZero, Field(description="Outer size along the impact.")]
     segments: Annotated[int, Field(ge=1, le=200)]
     mass: Mass
     centre_of_gravity: Annotated[Length, Field(description="From the top of the part.")]
     inertia: Annotated[Inertia, Field(description="About its own centre of gravity.")]
     bending_stiffness: BendingStiffness
-    damping_time: Annotated[Time, Field(description="Joint damping divided by joint stiffness.")]
+    damping_time: Annotated[TimeFromZero, Field(description="Joint damping divided by joint stiffness.")]
     damper: Annotated[
         Literal["in the core", "beside the core"],
         Field(
@@ -52,10 +59,11 @@ class Bone(Section):
         ),
     ] = "in the core"
     block_joint: Annotated[
-        Ratio | None, Field(description="How much stiffer the joint at the knee block is; 1 when missing.")
+        RatioAboveZero | None,
+        Field(description="How much stiffer the joint at the knee block is; 1 when missing."),
     ] = None
     cable_angle: Annotated[
-        Angle | None,
+        AngleFromZero | None,
         Field(description="Joint angle at which the steel cables come tight; never when missing."),
     ] = None
     cable_stiffness: Annotated[
@@ -92,26 +100,34 @@ class Ligament(Section):
     femur: Annotated[list[Length], Axes(("x", "z")), Field(min_length=2, max_length=2)]
     tibia: Annotated[list[Length], Axes(("x", "z")), Field(min_length=2, max_length=2)]
     stiffness: Stiffness
-    preload: Force
+    preload: Annotated[Force, Field(description="At rest; below zero it is slack until it has stretched.")]
     damping: Damping
 
 
 class Condyles(Section):
     """Two round condyles of the femur block in two troughs of the tibia block."""
 
-    radius: Length
-    trough_radius: Length
-    offset: Annotated[Length, Field(description="Distance of each condyle's middle from the leg's axis.")]
-    stiffness: Stiffness
+    radius: LengthAboveZero
+    trough_radius: LengthAboveZero
+    offset: Annotated[
+        LengthAboveZero, Field(description="Distance of each condyle's middle from the leg's axis.")
+    ]
+    stiffness: StiffnessAboveZero
     damping: Damping
-    friction: Ratio
+    friction: RatioFromZero
+
+    @model_validator(mode="after")
+    def _fits_in(self) -> Self:
+        if self.trough_radius <= self.radius:
+            raise Faults([(("trough_radius",), "a trough has a larger radius than the condyle in it")])
+        return self
 
 
 class KneeGuide(Section):
     """A guide against sliding between the knee blocks: free for some way, then a spring."""
 
     offset: Annotated[Length, Field(description="Distance from the leg's axis, towards the impact side.")]
-    free_travel: Annotated[Length, Field(description="Either way.")]
+    free_travel: Annotated[LengthFromZero, Field(description="Either way.")]
     stiffness: Stiffness
     damping: Damping
 
@@ -125,9 +141,9 @@ class Knee(Section):
     mass: Mass
     centre_of_gravity: Annotated[Length, Field(description="From the top of the knee.")]
     inertia: Inertia
-    above_centre: Annotated[Length, Field(description="Height of the femur block.")]
-    below_centre: Annotated[Length, Field(description="Height of the tibia block.")]
-    depth: Length
+    above_centre: Annotated[LengthAboveZero, Field(description="Height of the femur block.")]
+    below_centre: Annotated[LengthAboveZero, Field(description="Height of the tibia block.")]
+    depth: LengthAboveZero
     condyles: Condyles
     parallel_stiffness: RotationalStiffness
     guide: KneeGuide | None = None
@@ -137,93 +153,20 @@ class Knee(Section):
 class FarFlesh(Section):
     """Flesh on the side away from the impact, where it is a mass a segment of its own."""
 
-    share: Annotated[Ratio, Field(description="Of the flesh's mass; the rest is on the impact side.")]
+    share: Annotated[RatioToOne, Field(description="Of the flesh's mass; the rest is on the impact side.")]
     across: Annotated[Frequency, Field(description="Natural frequency along the impact.")]
     along: Annotated[Frequency, Field(description="Natural frequency along the bone.")]
-    damping_ratio: Ratio
+    damping_ratio: RatioFromZero
     at_knee: Annotated[
-        Ratio | None,
+        RatioFromZero | None,
         Field(description="Its mass per length at the knee over that at the bones; 1 when missing."),
     ] = None
     foam: Annotated[
-        Ratio | None,
+        RatioFromZero | None,
         Field(
             description="Its foam's stress over that of the impact side; it bends along where `foam` does."
         ),
     ] = None
-
-
-class FleshFoam(Section):
-    """Flesh as a tabulated foam under a skin, in place of compression, wall and resilience."""
-
-    width: Annotated[Length, Field(description="Across the impact.")]
-    stress: Annotated[
-        list[tuple[Ratio, Pressure]],
-        Field(min_length=2, max_length=500, description="Over strain, from (0, 0); last slope beyond."),
-    ]
-    hysteresis: Annotated[
-        Ratio, Field(description="Share of the loading stress left at the end of springing back.")
-    ]
-    shape: Annotated[
-        Ratio, Field(description="Exponent of the energy's share, by which the stress falls to it.")
-    ]
-    loss: Annotated[
-        Ratio | None,
-        Field(
-            description="Share that internal friction adds while it is pressed, and takes while it is let go."
-        ),
-    ] = None
-    reversal_speed: Annotated[
-        Speed | None, Field(description="At which that friction turns; 1 m/s when missing.")
-    ] = None
-    recovery: Annotated[
-        Length | None,
-        Field(description="Way of new loading over which it forgets its memory; never when missing."),
-    ] = None
-    elastic_modulus: Annotated[
-        Pressure | None,
-        Field(
-            description="By which its stress goes from loading to springing back; where it is given, foam "
-            "and skin bend beside the bones, and no gauge feels them."
-        ),
-    ] = None
-    element: Annotated[
-        Length | None,
-        Field(
-            description="Length of a finite-element leg's elements along it: it meets faces in strips as "
-            "long, since no dent in them is sharper."
-        ),
-    ] = None
-    shear_modulus: Annotated[Pressure, Field(description="By which places take their surroundings along.")]
-    skin_modulus: Annotated[Pressure, Field(description="Young's modulus of the skin.")]
-    skin_thickness: Length
-
-    @model_validator(mode="after")
-    def _begins_at_zero_and_rises(self) -> Self:
-        points = [(float(strain), float(stress)) for strain, stress in self.stress]
-        if points[0] != (0.0, 0.0):
-            raise Faults([(("stress", 0), "the foam's curve has to begin at strain 0 and stress 0")])
-        for index, (here, last) in enumerate(zip(points[1:], points, strict=False), 1):
-            if here[0] <= last[0] or here[1] < last[1]:
-                message = "strains have to rise from point to point, and stresses must not fall"
-                raise Faults([(("stress", index), message)])
-        if self.elastic_modulus is not None and float(self.elastic_modulus) <= self.first_modulus:
-            slope = f"{self.first_modulus * 1e-6:.4g} MPa"
-            message = f"`elastic modulus` has to be more than the curve's first slope, {slope}"
-            raise Faults([(("elastic_modulus",), message)])
-        if self.element is not None and not 2e-3 <= float(self.element) <= 0.05:
-            raise Faults([(("element",), "an element of a leg's foam is 2 to 50 mm long")])
-        if not 0.0 <= self.hysteresis <= 1.0:
-            raise Faults([(("hysteresis",), "the share that is left is from 0 to 1")])
-        if self.shape <= 0.0:
-            raise Faults([(("shape",), "the exponent has to be greater than zero")])
-        return self
-
-    @property
-    def first_modulus(self) -> float:
-        """Return the slope with which its curve begins, Pa."""
-        strain, stress = self.stress[1]
-        return float(stress) / float(strain)
 
 
 class Flesh(Section):
@@ -232,15 +175,17 @@ class Flesh(Section):
     mass: Mass
     across: Annotated[Frequency, Field(description="Natural frequency of the flesh along the impact.")]
     along: Annotated[Frequency, Field(description="Natural frequency along the bone.")]
-    damping_ratio: Ratio
-    tension: Annotated[Force, Field(description="Tensile stiffness EA between neighbours; 0 leaves it out.")]
+    damping_ratio: RatioFromZero
+    tension: Annotated[
+        ForceFromZero, Field(description="Tensile stiffness EA between neighbours; 0 leaves it out.")
+    ]
     compression: Annotated[
         FoundationStiffness | None,
         Field(description="Initial, per unit length; needed where no `foam` is given."),
     ] = None
-    thickness: Annotated[Length, Field(description="Between bone and surface: it ends at the bone.")]
+    thickness: Annotated[LengthAboveZero, Field(description="Between bone and surface: it ends at the bone.")]
     compacted_at: Annotated[
-        Length | None,
+        LengthAboveZero | None,
         Field(description="Depth at which it is compacted; 90 % of its thickness when missing."),
     ] = None
     wall: Annotated[
@@ -248,10 +193,10 @@ class Flesh(Section):
         Field(description="Of the bone behind it, per unit length; 2000 MN/m² when missing."),
     ] = None
     resilience: Annotated[
-        Ratio | None, Field(description="Share of its work that it gives back; 50 % when missing.")
+        RatioToOne | None, Field(description="Share of its work that it gives back; 50 % when missing.")
     ] = None
     reversal_speed: Annotated[
-        Speed | None,
+        SpeedAboveZero | None,
         Field(
             description="Of compression, where internal friction has come to three quarters of its full "
             "value; 1 m/s when missing."
@@ -262,7 +207,7 @@ class Flesh(Section):
         Field(description="A tabulated foam under a skin; a law by compression and wall when missing."),
     ] = None
     face: Annotated[
-        Length | None,
+        LengthFromZero | None,
         Field(description="Distance of its bone side from the leg's axis; half the parts' depth if missing."),
     ] = None
     bending_stiffness: Annotated[
@@ -270,25 +215,19 @@ class Flesh(Section):
         Field(description="Of the sleeve, which bends beside the bones; no gauge feels it."),
     ] = None
     damping_time: Annotated[
-        Time | None, Field(description="Damping of the sleeve's bending divided by its stiffness.")
+        TimeFromZero | None, Field(description="Damping of the sleeve's bending divided by its stiffness.")
     ] = None
     far_side: Annotated[
         FarFlesh | None,
         Field(description="Both sides are one mass on the axis when missing, else each in its own middle."),
     ] = None
 
-    @field_validator("reversal_speed")
-    @classmethod
-    def _above_zero(cls, speed: Number | None) -> Number | None:
-        """Refuse a speed at which friction would turn by a step."""
-        if speed is not None and float(speed) <= 0.0:
-            raise ValueError("has to be above zero, such as 1 m/s")
-        return speed
-
     @model_validator(mode="after")
     def _has_one_law(self) -> Self:
         if self.foam is None and self.compression is None:
             raise Faults([((), "`compression` is missing; give it, or a `foam`")])
+        if self.compacted_at is not None and self.compacted_at >= self.thickness:
+            raise Faults([(("compacted_at",), "`compacted at` has to be below `thickness`")])
         if self.foam is not None:
             for name in ("compression", "compacted_at", "wall", "resilience", "reversal_speed"):
                 if getattr(self, name) is not None:

@@ -5,11 +5,12 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Document, Section, Sourced
+from certkit.definitions.bounded_numbers import TimeAboveZero
 from certkit.definitions.filters import Filter
 from certkit.definitions.loading.error_messages import suggestion
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.measures import MEASURES
-from certkit.definitions.provenance import Confidence, Time
+from certkit.definitions.provenance import Confidence
 from certkit.definitions.rig import Rig
 from certkit.definitions.units import UNITS, parse_quantity
 
@@ -50,8 +51,8 @@ class Specimen(Document):
 class Run(Section):
     """How long is simulated and recorded."""
 
-    until: Annotated[Time | None, Field(description="After first contact.")] = None
-    time_step: Time | None = None
+    until: Annotated[TimeAboveZero | None, Field(description="After first contact.")] = None
+    time_step: TimeAboveZero | None = None
 
 
 class Curve(Document):

@@ -33,6 +33,9 @@ NEVER_NEGATIVE = NEVER_ZERO | {
     "stiffness",
 }
 
+Bound = Literal["above zero", "zero or above", "from 0 to 1"]
+"""What a number has to keep where its field says so, whatever its dimension allows elsewhere."""
+
 MIN_SOURCE = 3  # letters; less names nothing
 
 
@@ -60,6 +63,15 @@ def readable(origin: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
+def within(number: float, bound: Bound | None) -> bool:
+    """Tell whether a number keeps a bound."""
+    if bound is None:
+        return True
+    if bound == "above zero":
+        return number > 0.0
+    return number >= 0.0 and (bound == "zero or above" or number <= 1.0)
+
+
 class Number(float):
     """A float in SI units that carries its origin and the words it was written in."""
 
@@ -85,9 +97,9 @@ class QuantityDimension:
     section whose `origin` covers it (`certkit.definitions.base.Section` fills that in before validation).
     """
 
-    def __init__(self, name: str) -> None:
-        """Name a key of `certkit.definitions.units.UNITS`."""
-        self.name = name
+    def __init__(self, name: str, bound: Bound | None = None) -> None:
+        """Name a key of `certkit.definitions.units.UNITS`, and what the number has to keep."""
+        self.name, self.bound = name, bound
 
     def _read(self, given: Any) -> Number:  # noqa: ANN401  # raw YAML data
         if isinstance(given, Number):
@@ -113,10 +125,8 @@ class QuantityDimension:
                 number = parse_quantity(value, self.name)
             except ValueError as error:
                 faults.append((("value",), str(error)))
-            if number < 0 and self.name in NEVER_NEGATIVE:
-                faults.append((("value",), f"`{value}` is negative; a {self.name} is not"))
-            if number == 0 and self.name in NEVER_ZERO:
-                faults.append((("value",), f"`{value}`: a {self.name} is greater than zero"))
+            else:
+                faults += [(("value",), said) for said in self._beyond(number, value)]
         if not isinstance(source, str) or len(source) < MIN_SOURCE:
             faults.append(
                 (("source",), "`source` has to name the text, test or fit that the number comes from")
@@ -127,6 +137,14 @@ class QuantityDimension:
         if faults:
             raise Faults(faults)
         return Number(number, str(value), str(source), cast("Confidence", confidence))
+
+    def _beyond(self, number: float, value: object) -> list[str]:
+        """Say which bound a number, written as `value`, is beyond."""
+        if number < 0 and self.name in NEVER_NEGATIVE:
+            return [f"`{value}` is negative; a {self.name} is not"]
+        if number == 0 and self.name in NEVER_ZERO:
+            return [f"`{value}`: a {self.name} is greater than zero"]
+        return [] if within(number, self.bound) else [f"`{value}`: this {self.name} has to be {self.bound}"]
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> core_schema.CoreSchema:  # noqa: ANN401  # pydantic's own signature
         """Read with `_read`; write as the mapping of value, source and confidence."""
@@ -141,7 +159,8 @@ class QuantityDimension:
         """Describe both ways of writing the number for editors."""
         units = [u for u in UNITS[self.name] if u]
         example = f"1 {units[0]}" if units else 1
-        plain = {"type": ["string", "number"], "description": f"A {self.name}.", "examples": [example]}
+        said = f"A {self.name} {self.bound}." if self.bound else f"A {self.name}."
+        plain = {"type": ["string", "number"], "description": said, "examples": [example]}
         return {
             "anyOf": [
                 plain,

@@ -7,6 +7,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from certkit.definitions.base import Section
+from certkit.definitions.bounded_numbers import LengthFromZero, RatioFromZero, StiffnessAboveZero
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.provenance import Damping, Force, Length, Mass, Ratio, Stiffness
 
@@ -43,7 +44,9 @@ class Group(Section):
     position: Annotated[
         Length | None, Field(description="x of the face at the middle of its height span.")
     ] = None
-    low: Annotated[Length | None, Field(description="Lower end of the face; none: never touched.")] = None
+    low: Annotated[
+        LengthFromZero | None, Field(description="Lower end of the face; none: never touched.")
+    ] = None
     high: Annotated[Length | None, Field(description="Upper end of the face.")] = None
     slope: Annotated[Ratio | None, Field(description="dx/dz of the face.")] = None
     room: Annotated[
@@ -90,7 +93,7 @@ class Group(Section):
 class Bottoming(Section):
     """The end of a spring's travel: beyond `at` it is stiffer by `stiffness`."""
 
-    at: Length
+    at: LengthFromZero
     stiffness: Stiffness
 
 
@@ -108,7 +111,7 @@ class Spring(Section):
         list[str], Field(min_length=2, max_length=2, description="`ground` is the car's body.")
     ]
     loading: Annotated[list[tuple[Length, Force]], Field(min_length=2, max_length=500)]
-    unloading: Stiffness | None = None
+    unloading: StiffnessAboveZero | None = None
     residual: Annotated[
         Ratio | None, Field(description="Share of the largest force that stays; 0 when missing.")
     ] = None
@@ -116,11 +119,11 @@ class Spring(Section):
         Ratio | None, Field(description="Share of the largest shortening that stays.")
     ] = None
     damping: Damping | None = None
-    gap: Annotated[Length | None, Field(description="Free travel before the spring acts.")] = None
+    gap: Annotated[LengthFromZero | None, Field(description="Free travel before the spring acts.")] = None
     tension: Annotated[bool, Field(description="Whether the spring also pulls.")] = False
     bottoming: Bottoming | None = None
     seen: Annotated[
-        Length | None,
+        LengthFromZero | None,
         Field(
             description="Largest shortening that the curve was read from; a run beyond it is remarked upon."
         ),
@@ -210,7 +213,7 @@ class Vehicle(Section):
     groups: Annotated[dict[str, Group], Field(min_length=1, max_length=200)]
     springs: Annotated[dict[str, Spring], Field(min_length=1, max_length=2000, description="By their names.")]
     sheets: Annotated[dict[str, FrontSheet], Field(max_length=2000, description="By their names.")] = {}
-    friction: Annotated[Ratio | None, Field(description="Between the leg and the faces.")] = None
+    friction: Annotated[RatioFromZero | None, Field(description="Between the leg and the faces.")] = None
     notes: list[str] = []
 
     @model_validator(mode="after")
