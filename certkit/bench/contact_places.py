@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.mechanics.rig.recorded_force import RecordedForce
+from certkit.mechanics.rig.recorded_forces import RecordedForce
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

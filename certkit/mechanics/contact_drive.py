@@ -28,6 +28,9 @@ STEP = 2e-5
 
 SAMPLE, FRAME = 5, 500
 
+WITHIN = 1e-4
+"""m: a point so near to a segment's end is still on it."""
+
 
 class LedMotion(Struct, frozen=True):
     """How leg and front move.
@@ -122,7 +125,3 @@ def _leg_tracks(rig: RigAssembly, led: LedMotion) -> dict[int, Floats]:
         angle = np.unwrap(np.arctan2(-along[:, 0], along[:, 1]))
         tracks[body] = np.column_stack([low + share * along, angle])
     return tracks
-
-
-WITHIN = 1e-4
-"""m: a point so near to a segment's end is still on it."""

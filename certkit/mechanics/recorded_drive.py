@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from certkit.definitions.vehicle import Vehicle
     from certkit.mechanics.records import Floats
-    from certkit.mechanics.rig.recorded_force import RecordedForce
+    from certkit.mechanics.rig.recorded_forces import RecordedForce
 
 STEP = 1e-5
 """s: half the step of a vehicle run, since a front's groups are lighter than a leg's segments."""

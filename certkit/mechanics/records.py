@@ -28,7 +28,7 @@ WORD = 8
 """Bytes of a field."""
 
 Body: TypeAlias = int
-"""Number of a body; `certkit.mechanics.solver.world.GROUND` stands for the ground."""
+"""Number of a body; `certkit.definitions.fixtures.rig_builder.GROUND` stands for the ground."""
 State: TypeAlias = float
 """A field that the law itself writes: its history variables, and what is read off it for channels."""
 

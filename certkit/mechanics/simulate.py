@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from certkit.documents.rig_motion import Motion
     from certkit.mechanics.legform.segments import Segment
     from certkit.mechanics.records import Floats
-    from certkit.mechanics.rig.recorded_force import RecordedForce
+    from certkit.mechanics.rig.recorded_forces import RecordedForce
 
 STEP = 2e-5
 """s: step halving changes no peak by more than 0.1 % at it."""
@@ -163,7 +163,7 @@ def simulate(
         ) from error
     step = time_step or _time_step(procedure, rig)
     world = rig.assembly.finish()
-    wanted = probes(world, rig.leg, rig)
+    wanted = probes(world, rig)
     plan = _plan(procedure, rig, step, iterations, sample)
     groups = () if rig.front is None else rig.front.groups.values()
     tracked = (*(rig.leg.blocks if rig.leg.knee_row >= 0 else ()), *groups)
@@ -172,7 +172,7 @@ def simulate(
     recording = Recording(
         kind="simulated",
         time=run.time,
-        channels=channels(rig, rig.leg, run, readings),
+        channels=channels(rig, run, readings),
         source=procedure.procedure,
         table=legform.channel_table,
         from_solver=True,

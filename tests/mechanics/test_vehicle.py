@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from certkit.definitions.fixtures.rig_builder import GROUND
 from certkit.definitions.loading.library import load
 from certkit.definitions.loading.overrides import overrides_from
 from certkit.definitions.vehicle import Spring, Vehicle
@@ -18,7 +19,7 @@ from certkit.mechanics.force_laws.vehicle_spring import VehicleSpring
 from certkit.mechanics.rig.front_faces import face_strips
 from certkit.mechanics.rig.spring_curve import loading_curve
 from certkit.mechanics.solver.time_loop import Plan, run_world
-from certkit.mechanics.solver.world import GROUND, Assembly
+from certkit.mechanics.solver.world import Assembly
 
 SHIPPED = ["generic-saloon", "generic-suv", "generic-sports-car"]
 

@@ -10,12 +10,13 @@ from msgspec.structs import replace
 from scipy.linalg import eigh
 from support.chain_oracle import Chain, bone_chain
 
+from certkit.definitions.fixtures.rig_builder import GROUND
 from certkit.mechanics.force_laws.honeycomb import Honeycomb
 from certkit.mechanics.force_laws.joint_spring import JointSpring
 from certkit.mechanics.force_laws.law import OutlinePiece
 from certkit.mechanics.force_laws.support_roller import SupportRoller
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
-from certkit.mechanics.solver.world import GROUND, Assembly
+from certkit.mechanics.solver.world import Assembly
 
 
 def energy(run: Trajectory) -> np.ndarray:

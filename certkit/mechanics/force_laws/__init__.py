@@ -30,6 +30,6 @@ _FILES = (
 
 LAWS: tuple[type[ForceLaw], ...] = tuple(named_class(__name__, file) for file in _FILES)
 
-GRAVITY, MASS_DAMPING = len(LAWS), len(LAWS) + 1
+WEIGHT_ACCOUNT, MASS_DAMPING_ACCOUNT = len(LAWS), len(LAWS) + 1
 ENERGY_ACCOUNTS: tuple[str, ...] = (*(law.words() for law in LAWS), "gravity", "mass damping")
 """Names of the rows of `Totals`: one a law, then weight and mass damping."""

@@ -42,8 +42,8 @@ class CondyleContact(ForceLaw, kw_only=True):
         k_t, N/m.
     slip_spring : State
         Stretch of the tangential spring, m: remembered from step to step.
-    normal_force, penetration : State
-        N (N) and d (m) now; d is negative where the two are apart.
+    penetration : State
+        d now, m; negative where the two are apart.
     """
 
     upper: Body
@@ -59,12 +59,11 @@ class CondyleContact(ForceLaw, kw_only=True):
     friction: float
     tangential_stiffness: float
     slip_spring: State = 0.0
-    normal_force: State = 0.0
     penetration: State = 0.0
 
     @staticmethod
     @compiled
-    def forces(  # noqa: PLR0915  # one contact, force by force
+    def forces(  # one contact, force by force
         contacts: Rows[CondyleContact], now: Instant, load: Rows[Load], totals: Totals
     ) -> None:
         """Add contact and friction of the condyles."""
@@ -82,7 +81,6 @@ class CondyleContact(ForceLaw, kw_only=True):
             distance = math.sqrt(dx * dx + dz * dz)
             depth = distance - contact.clearance
             contact.penetration = depth
-            contact.normal_force = 0.0
             if depth <= 0.0:
                 contact.slip_spring = 0.0
                 continue
@@ -123,4 +121,3 @@ class CondyleContact(ForceLaw, kw_only=True):
             totals.power += (normal - elastic) * closing
             totals.penetration = max(totals.penetration, depth)
             contact.slip_spring = held
-            contact.normal_force = normal

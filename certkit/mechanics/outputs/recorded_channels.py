@@ -23,8 +23,9 @@ if TYPE_CHECKING:
     from certkit.mechanics.solver.world import World
 
 
-def probes(world: World, leg: Leg, rig: RigAssembly) -> dict[str, int]:
+def probes(world: World, rig: RigAssembly) -> dict[str, int]:
     """Return what to record, by a name of its own: where each state stands in the world's tables."""
+    leg = rig.leg
     places = {f"joint {joint.row}": world.place(JointSpring, joint.row, "moment") for joint in leg.joints}
     places |= {
         f"ligament {name}": world.place(LigamentCable, row, "elongation")
@@ -74,12 +75,10 @@ def moment_at(leg: Leg, readings: Mapping[str, Floats], height: float, part: str
     raise ValueError(f"height {height} m is not on the {part}")
 
 
-def channels(
-    rig: RigAssembly, leg: Leg, run: Trajectory, readings: Mapping[str, Floats]
-) -> dict[str, Channel]:
+def channels(rig: RigAssembly, run: Trajectory, readings: Mapping[str, Floats]) -> dict[str, Channel]:
     """Return all channels of the run, SI, shape (samples,), in the order of the legform's table."""
     table = rig.legform.channel_table
-    values = {**_of_legform(rig, leg, run, readings), **_of_rig(rig, leg, run, readings)}
+    values = {**_of_legform(rig, run, readings), **_of_rig(rig, run, readings)}
     return {
         name: Channel(name, kind.title, kind.dimension, values[name])
         for name, kind in table.kinds.items()
@@ -87,11 +86,9 @@ def channels(
     }
 
 
-def _of_legform(
-    rig: RigAssembly, leg: Leg, run: Trajectory, readings: Mapping[str, Floats]
-) -> dict[str, Floats]:
+def _of_legform(rig: RigAssembly, run: Trajectory, readings: Mapping[str, Floats]) -> dict[str, Floats]:
     """Return what the legform's own channels show; bending moments of a whole leg only."""
-    legform = rig.legform
+    legform, leg = rig.legform, rig.leg
     whole = {segment.part for segment in leg.segments} == set(legform.chain)
     knee: dict[str, Floats] = {}
     if leg.knee_row >= 0:
@@ -109,7 +106,7 @@ def _of_legform(
     return values
 
 
-def _of_rig(rig: RigAssembly, leg: Leg, run: Trajectory, readings: Mapping[str, Floats]) -> dict[str, Floats]:
+def _of_rig(rig: RigAssembly, run: Trajectory, readings: Mapping[str, Floats]) -> dict[str, Floats]:
     """Return what the fixtures measure."""
     values: dict[str, Floats] = {}
     if rig.contact_law is not None:
@@ -118,7 +115,7 @@ def _of_rig(rig: RigAssembly, leg: Leg, run: Trajectory, readings: Mapping[str, 
         values["hinge force"] = run.hinge_force
 
     def bone_moment(height: float, part: str) -> Floats:
-        return moment_at(leg, readings, height, part)
+        return moment_at(rig.leg, readings, height, part)
 
     for fixture in rig.rig.fixtures():
         values |= fixture.channel_values(rig, readings, bone_moment)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from certkit.mechanics.legform.leg import Leg
     from certkit.mechanics.records import Floats
     from certkit.mechanics.rig.front_faces import FrontModel
-    from certkit.mechanics.rig.recorded_force import RecordedForce
+    from certkit.mechanics.rig.recorded_forces import RecordedForce
     from certkit.mechanics.solver.world import Assembly
 
 F = TypeVar("F")

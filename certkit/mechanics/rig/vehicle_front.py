@@ -46,12 +46,12 @@ def build_front(
     vehicle: Vehicle,
     ground: float,
     angle: float,
-    longest: float | None = None,
+    longest: float | None,
 ) -> FrontModel:
     """Build a vehicle's front where it just touches the leg; return what was built.
 
     The leg has been turned and thrown already; see `RigBuilder.add_vehicle_front`. Faces are met
-    in strips of a length (m) at most, their own where none is given.
+    in strips of a `longest` length (m), of their own where that is None.
     """
     folding = outline_strips(vehicle, ground, longest)
     strips = [] if folding else face_strips(vehicle, ground, longest)

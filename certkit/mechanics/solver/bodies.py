@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from certkit.mechanics.compiling import compiled
-from certkit.mechanics.force_laws import GRAVITY, MASS_DAMPING
+from certkit.mechanics.force_laws import MASS_DAMPING_ACCOUNT, WEIGHT_ACCOUNT
 
 if TYPE_CHECKING:
     from certkit.mechanics.force_laws.law import Instant, Load, Pose, Totals, Velocity
@@ -32,8 +32,8 @@ def add_weight_and_damping(
         on_body.x = m * gravity[0] - rate * velocity.x
         on_body.z = m * gravity[1] - rate * velocity.z
         on_body.torque = 0.0
-        totals[GRAVITY].stored -= m * (gravity[0] * pose.x + gravity[1] * pose.z)
-        totals[MASS_DAMPING].power += rate * (velocity.x * velocity.x + velocity.z * velocity.z)
+        totals[WEIGHT_ACCOUNT].stored -= m * (gravity[0] * pose.x + gravity[1] * pose.z)
+        totals[MASS_DAMPING_ACCOUNT].power += rate * (velocity.x * velocity.x + velocity.z * velocity.z)
 
 
 @compiled

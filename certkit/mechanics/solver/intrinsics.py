@@ -1,7 +1,7 @@
 """What compiled code needs beside numba's own: arrays seen at an address, and pymunk's C entry points.
 
 A loop over the public API (`pymunk.batch`, force kernel, `Space.step`) takes several times as long a step,
-with the same trajectories bit for bit (`tests/mechanics/test_loop.py`). Addresses
+with the same trajectories bit for bit (`tests/mechanics/solver/test_time_loop.py`). Addresses
 travel as integers, so the compiled loop can be kept on disk.
 """
 

@@ -66,7 +66,7 @@ def build_space(world: World, step: float, iterations: int = ITERATIONS) -> pymu
     batch.get_space_bodies(space, batch.BodyFields.BODY_ID, ids)
     if list(memoryview(ids.int_buf()).cast("P"))[: len(bodies)] != [body.id for body in bodies]:
         raise RunError(
-            "pymunk walks the bodies in an unexpected order; use a pymunk version the project card allows"
+            "pymunk walks the bodies in an unexpected order; install the pymunk that certkit asks for"
         )
     return space
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from msgspec import Struct, field
 
+from certkit.definitions.fixtures.rig_builder import GROUND
 from certkit.errors import RunError
 from certkit.mechanics.force_laws import LAWS
 from certkit.mechanics.force_laws.law import CurvePoint, ForceLaw, OutlinePiece
@@ -19,9 +20,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from certkit.mechanics.records import Floats, Structured
-
-GROUND = -1
-"""Stands for the ground wherever a body is named."""
 
 
 class Pivot(Record):

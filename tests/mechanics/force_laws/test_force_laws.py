@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from certkit.definitions.fixtures.rig_builder import GROUND
 from certkit.mechanics.force_laws import LAWS
 from certkit.mechanics.force_laws.condyle_contact import CondyleContact
 from certkit.mechanics.force_laws.flesh_compression import FleshCompression
@@ -19,7 +20,7 @@ from certkit.mechanics.force_laws.sliding_guide import SlidingGuide
 from certkit.mechanics.force_laws.support_roller import SupportRoller
 from certkit.mechanics.records import WORD, Record, record_type
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
-from certkit.mechanics.solver.world import GROUND, Assembly
+from certkit.mechanics.solver.world import Assembly
 
 STEP = 1e-5
 

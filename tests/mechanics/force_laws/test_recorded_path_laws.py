@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from certkit.definitions.fixtures.rig_builder import GROUND
 from certkit.identification.sheet_law import SheetLaw, sheet_law
 from certkit.mechanics.force_laws.folding_face_contact import FoldingFaceContact
 from certkit.mechanics.force_laws.law import OutlinePiece
@@ -14,7 +15,7 @@ from certkit.mechanics.force_laws.recorded_contact import RecordedContact
 from certkit.mechanics.force_laws.sheet_link import SheetLink
 from certkit.mechanics.rig.recorded_tables import add_path, add_tables
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
-from certkit.mechanics.solver.world import GROUND, Assembly
+from certkit.mechanics.solver.world import Assembly
 
 STEP = 1e-5
 NOTHING = (np.array([1.0]), np.zeros((1, 2)))

@@ -7,13 +7,14 @@ import math
 import numpy as np
 import pytest
 
+from certkit.definitions.fixtures.rig_builder import GROUND
 from certkit.mechanics.force_laws import LAWS
 from certkit.mechanics.force_laws.law import OutlinePiece
 from certkit.mechanics.force_laws.recorded_contact import RecordedContact
 from certkit.mechanics.force_laws.skinned_foam_contact import SkinnedFoamContact
 from certkit.mechanics.rig.recorded_tables import add_path, add_tables
 from certkit.mechanics.solver.time_loop import Plan, Trajectory, run_world
-from certkit.mechanics.solver.world import GROUND, Assembly
+from certkit.mechanics.solver.world import Assembly
 
 STEP = 1e-5
 STILL = (np.array([1.0]), np.zeros((1, 3)))

@@ -7,6 +7,7 @@ import pytest
 from numba import njit
 from pymunk import batch
 
+from certkit.definitions.fixtures.rig_builder import GROUND
 from certkit.definitions.loading.library import load
 from certkit.errors import RunError
 from certkit.mechanics.force_laws import ENERGY_ACCOUNTS
@@ -19,7 +20,7 @@ from certkit.mechanics.solver.kernel import add_weight_and_damping, evaluate_law
 from certkit.mechanics.solver.kernel_arguments import BodyMotion
 from certkit.mechanics.solver.pymunk_space import GET, SET, SPARE, build_space
 from certkit.mechanics.solver.time_loop import Plan, run_world
-from certkit.mechanics.solver.world import GROUND, Assembly, World
+from certkit.mechanics.solver.world import Assembly, World
 
 
 @njit(error_model="numpy")
