@@ -17,12 +17,13 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from certkit.bench.pdf_attachments import attachments_of
-from certkit.bench.verification import Check, Verification, fails, holds, judged
+from certkit.bench.verification import Check, Verification, fails, holds, judged, unchecked
 from certkit.bench.verify_attachments import attachment_checks, manifest_checks
+from certkit.bench.verify_beside import beside_checks, others_beside
 from certkit.bench.verify_campaign import campaign_checks
 from certkit.bench.verify_document import document_checks, table_check
 from certkit.bench.verify_grading import grading_checks
-from certkit.bench.verify_legform_certificate import legform_checks, logbook_check, page_check
+from certkit.bench.verify_legform_certificate import legform_checks, logbook_check
 from certkit.bench.verify_replacement import replacement_checks
 from certkit.bench.verify_reports import report_checks
 from certkit.bench.verify_reproduction import reproduction_checks
@@ -106,7 +107,9 @@ def _file(path: Path, wanted: Wanted) -> Verification:
         if isinstance(document, LegformCertificate):
             checks += legform_checks(document, lambda result: _content_checks(result, wanted))
         if isinstance(document, CampaignReport):
-            checks += campaign_checks(path.parent, document)
+            checks += campaign_checks(path.parent, document, lambda result: _content_checks(result, wanted))
+        elif not isinstance(document, Result | LegformCertificate):
+            checks.append(unchecked("content", "content-not-derived"))
     graded = (document for document in documents if isinstance(document, Result | LegformCertificate))
     verdicts = tuple(document.verdict for document in graded)
     return Verification(str(path), tuple(document.id for document in documents), tuple(checks), verdicts)
@@ -136,7 +139,8 @@ def _folder(path: Path, wanted: Wanted) -> Verification:
         raise DataError(f"{path}: no result.json in it; name the folder of one run, a result.json or a PDF")
     if document.name != Result.file_name:
         found = _file(document, wanted)
-        return replace(found, checks=(*found.checks, *page_check(path, document)))
+        beside = beside_checks(path, document, lambda pdf: _pdf(pdf, wanted))
+        return replace(found, checks=(*found.checks, *beside))
     content = read_bounded(document)
     result = Result.from_json(content, str(document))
     checks = [*document_checks("result.json", content, result), *report_checks(path, result)]
@@ -149,7 +153,7 @@ def _folder(path: Path, wanted: Wanted) -> Verification:
         ]
         same = result.id in inside.ids
         checks.append(judged("report.pdf: certificate", same, "other-certificate", ids=", ".join(inside.ids)))
-    checks += _content_checks(result, wanted)
+    checks += [*_content_checks(result, wanted), *others_beside(path, [result])]
     return Verification(str(path), (result.id,), tuple(checks), (result.verdict,))
 
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, cast
 
+from msgspec.structs import replace
+
 from certkit.bench.campaign_schemes import campaign_schemes
 from certkit.bench.compare_documents import differences
 from certkit.bench.regrade import embedded_store
 from certkit.bench.verification import Check, fails, holds, unchecked
 from certkit.bench.verify_document import input_checks
+from certkit.bench.verify_reports import report_checks
 from certkit.definitions.loading.library import load
 from certkit.documents.result import Result
 from certkit.errors import CertkitError
@@ -17,7 +20,7 @@ from certkit.grading.judge_car import judge_car
 from certkit.reporting.language import worded
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from pathlib import Path
 
     from certkit.definitions.campaign import Campaign
@@ -25,7 +28,9 @@ if TYPE_CHECKING:
     from certkit.documents.campaign_report import CampaignReport, SourceReport
 
 
-def campaign_checks(folder: Path, document: CampaignReport) -> Iterator[Check]:
+def campaign_checks(
+    folder: Path, document: CampaignReport, content_checks: Callable[[Result], list[Check]]
+) -> Iterator[Check]:
     """Check what a campaign carries, that its judgement follows from its points, and the results beside it.
 
     Parameters
@@ -33,13 +38,16 @@ def campaign_checks(folder: Path, document: CampaignReport) -> Iterator[Check]:
     folder : Path
         That the document lies in.
     document : CampaignReport
+    content_checks : callable
+        Checks of what a result says: grades it again and so on.
     """
     yield from input_checks("campaign", document.provenance)
     yield _judged_again(document, embedded_store(document.provenance))
     for point in document.points:
         for source in point.sources:
             if source.folder:
-                yield _beside(folder, f"point {point.name}: {source.kind}", source)
+                what = f"point {point.name}: {source.kind}"
+                yield from _beside(folder, what, source, content_checks)
 
 
 def _judged_again(document: CampaignReport, store: TextStore) -> Check:
@@ -61,17 +69,25 @@ def _judged_again(document: CampaignReport, store: TextStore) -> Check:
     return holds(what)
 
 
-def _beside(folder: Path, what: str, source: SourceReport) -> Check:
-    """Check that the result behind a source is the one that is named, with the values that were judged."""
+def _beside(
+    folder: Path, what: str, source: SourceReport, content_checks: Callable[[Result], list[Check]]
+) -> Iterator[Check]:
+    """Check that the result behind a source is the one that is named, that it holds, and its values."""
     path = folder / source.folder / Result.file_name
     if not path.is_file():
-        return unchecked(what, "point-result-missing")
+        yield unchecked(what, "point-result-missing")
+        return
     result = Result.read(path)
     made = result.content_id()
     if source.certificate not in {made, result.id} or made != result.id:
-        return fails(what, "point-result-differs", said=source.certificate, made=made)
-    for value in source.values:
-        real = result.criteria[value.id].value if value.id in result.criteria.ids else None
-        if value.value is not None and value.value != real:
-            return fails(what, "point-value-differs", said=f"{value.id} {value.value:g}", made=str(real))
-    return holds(what)
+        yield fails(what, "point-result-differs", said=source.certificate, made=made)
+        return
+    differ = (
+        fails(what, "point-value-differs", said=f"{value.id} {value.value:g}", made=str(real))
+        for value in source.values
+        for real in [result.criteria[value.id].value if value.id in result.criteria.ids else None]
+        if value.value is not None and value.value != real
+    )
+    yield next(differ, holds(what))
+    for each in (*report_checks(path.parent, result), *content_checks(result)):
+        yield replace(each, what=f"{what}: {each.what}")

@@ -174,10 +174,14 @@ DOCUMENTED: dict[str, OutputDocument] = {
 }
 
 
-def command(*words: object) -> str:
+def command(*words: object, code: int = 0) -> str:
     done = CliRunner().invoke(whole_app(), [str(word) for word in words], catch_exceptions=False)
-    assert done.exit_code == 0, done.output
+    assert done.exit_code == code, done.output
     return done.stdout
+
+
+DERIVED = {"result", "campaign-report", "legform-certificate"}
+"""Kinds that carry what they follow from; of the others verify can say no more than that the id fits."""
 
 
 def test_every_kind_is_shown_here():
@@ -212,8 +216,9 @@ def test_one_changed_letter_makes_a_document_that_does_not_hold(word: str, tmp_p
     document = DOCUMENTED[word]
     path = tmp_path / document.file_name
     document.write(path)
-    assert "holds" in command("verify", path)
-    assert document.id in command("verify", path.parent)
+    code = 0 if word in DERIVED else 4
+    assert document.id in command("verify", path, code=code)
+    assert document.id in command("verify", path.parent, code=code)
     text = path.read_text(encoding="utf-8")
     title = "serial" if word == "logbook-overview" else "title"
     changed = text.replace(f'"{title}":"', f'"{title}":"X', 1)
@@ -229,7 +234,7 @@ def test_a_list_of_documents_is_verified_and_rendered_one_by_one(tmp_path: Path)
     leg = DOCUMENTED["logbook-overview"]
     other = leg.model_copy(update={"serial": "FLX/8"}).with_id()
     path.write_text(listed_json([leg, other]), encoding="utf-8")
-    assert leg.id in command("verify", path)
+    assert leg.id in command("verify", path, code=4)
     command("report", path, "--out", tmp_path / "pages")
     assert {page.name for page in (tmp_path / "pages").rglob("*.html")} == {
         "logbook-FLX-7.html",
