@@ -14,6 +14,14 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 IMPORTS = "import numpy, pymunk, pydantic"
+# What a run imports as it is built: definitions of pydantic in YAML, commands of typer, a kept solver.
+LIBRARIES = (
+    "import os\n"
+    "os.environ['PYDANTIC_DISABLE_PLUGINS'] = '__all__'\n"
+    "import numpy, pymunk, pydantic, typer, yaml, llvmlite.binding\n"
+    "class Definition(pydantic.BaseModel):\n"
+    "    title: str\n"
+)
 SOLVER = (
     "import time\n"
     "from certkit.bench.setup import prepare\n"
@@ -44,9 +52,10 @@ def rows() -> Iterator[Row]:
             wall_seconds(lambda: _certkit("junit", cold), 1),
             "s",
         )
-        bare, imports, warm = child_seconds(
+        bare, imports, libraries, warm = child_seconds(
             lambda: _python("pass", environment),
             lambda: _python(IMPORTS, environment),
+            lambda: _python(LIBRARIES, environment),
             lambda: _certkit("junit", environment),
         )
         yield Row("the same, warm (processor time)", warm, "s")
@@ -54,6 +63,8 @@ def rows() -> Iterator[Row]:
         yield Row("  of which python itself", bare, "s")
         yield Row("  the solver, with step and iteration check", solver, "s")
         yield Row("warm run / (imports + solver)", warm / (imports + solver), "", 1.5, "most")
+        yield Row("  python with all libraries of a run, and one class made", libraries, "s")
+        yield Row("  warm run / (these libraries + solver)", warm / (libraries + solver))
         for formats in ("junit,html", "junit,html,pdf"):
             yield Row(
                 f"certkit run --procedure inverse --format {formats}",
