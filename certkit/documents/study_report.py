@@ -82,7 +82,7 @@ class QuickModel(Part):
 
 
 class Chance(Part):
-    """How often a criterion stayed inside; a run without the value counts as outside."""
+    """How often a criterion stayed inside; a run in which it was not evaluated counts as outside."""
 
     criterion: Annotated[str, Field(description="`PROCEDURE/CRITERION`, or `all` for all at once.")]
     inside: int
@@ -95,6 +95,9 @@ class Chance(Part):
         Field(description="Mean margin in standard deviations of the margin; the smallest fails first."),
     ] = None
     first: Annotated[int, Field(description="Runs in which this criterion is the farthest outside.")]
+    unknown: Annotated[
+        int, Field(description="Runs that failed, or in which it was not evaluated; they count as outside.")
+    ] = 0
 
 
 class Cloud(Part):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from certkit.definitions.study import DESIGNS
 from certkit.reporting.charts.study_charts import dots, tornado
 from certkit.reporting.language import ENGLISH, language
-from certkit.reporting.number_format import plain
+from certkit.reporting.number_format import plain, significant
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
@@ -31,9 +31,56 @@ def study_page(document: StudyReport, spoken: str = ENGLISH) -> str:
         spoken=spoken,
         study=document,
         from_middle=document.design in DESIGNS and DESIGNS[document.design].from_middle,
+        said=_in_short(document, language(spoken).word),
+        overview=_overview(document),
         sections=[_section(document, name, language(spoken).word) for name in document.outputs],
         factors=[_range(factor, language(spoken).word) for factor in document.factors],
     )
+
+
+def _in_short(document: StudyReport, t: Callable[..., str]) -> list[str]:
+    """Say how many runs keep every limit, what leaves its corridor first, and what is not known."""
+    if not document.chances:
+        return []
+    first, together = document.chances[0], document.chances[-1]
+    beyond = first.runs - first.inside - first.unknown
+    said = [
+        t("{inside} of {runs} runs keep every limit.", inside=together.inside, runs=together.runs),
+        t("{criterion} leaves its corridor first, in {count} runs.", criterion=first.criterion, count=beyond)
+        if beyond
+        else "",
+        t("{count} runs failed or were not evaluated; they count as outside.", count=together.unknown)
+        if together.unknown
+        else "",
+    ]
+    return [sentence for sentence in said if sentence]
+
+
+def _overview(document: StudyReport) -> dict[str, Any]:
+    """Return the share of each parameter in what moves each graded value, or each value where none is."""
+    graded = {chance.criterion for chance in document.chances}
+    shown = [name for name in document.outputs if name in graded] or document.outputs
+    scopes = {name.partition("/")[0] for name in shown}
+    heads = [name.partition("/")[2] or name for name in shown] if len(scopes) == 1 else shown
+    effects = {(effect.factor, effect.output): effect for effect in document.effects}
+    most = {
+        output: max((e.share for (_, o), e in effects.items() if o == output), default=0.0)
+        for output in shown
+    }
+    rows = [
+        (
+            factor.name,
+            [
+                (effect.share, effect.effect, effect.share == most[output])
+                if (effect := effects.get((factor.name, output))) is not None
+                else None
+                for output in shown
+            ],
+        )
+        for factor in document.factors
+    ]
+    rows.sort(key=lambda row: -max((cell[0] for cell in row[1] if cell is not None), default=0.0))
+    return {"heads": heads, "rows": rows}
 
 
 def _section(document: StudyReport, output: str, t: Callable[..., str]) -> dict[str, Any]:
@@ -90,7 +137,7 @@ def optimum_page(document: OptimumReport, spoken: str = ENGLISH) -> str:
     """Return the page of an optimisation: best settings, their values, and the trade-off of two aims."""
     t = language(spoken).word
     settings = [
-        {**_range(factor, t), "best": _quantity(f"{document.best[factor.name]:.6g}", factor.unit, word=False)}
+        {**_range(factor, t), "best": _quantity(_best(document.best[factor.name]), factor.unit, word=False)}
         for factor in document.factors
     ]
     units = {value.name: value.unit for value in document.outputs}
@@ -102,6 +149,11 @@ def optimum_page(document: OptimumReport, spoken: str = ENGLISH) -> str:
         settings=settings,
         curve="" if document.cloud is None else _cloud(document.cloud, t("Trade-off of two aims"), units),
     )
+
+
+def _best(value: FigureOrWord) -> str:
+    """Write the best setting of a parameter with as many digits as it is worth."""
+    return value if isinstance(value, str) else significant(value, 4)
 
 
 def calibration_page(document: CalibrationReport, spoken: str = ENGLISH) -> str:

@@ -13,33 +13,44 @@ if TYPE_CHECKING:
     from certkit.documents.calibration_report import CalibrationReport
     from certkit.documents.optimum_report import OptimumReport
     from certkit.documents.rounding import FigureOrWord
-    from certkit.documents.study_report import StudyReport
+    from certkit.documents.study_report import Effect, StudyReport
 
 
 def study_text(document: StudyReport) -> str:
     """Return the chances to stay inside, or else the strongest effect on each output."""
     runs = f"{document.runs} runs" + (f", {document.failed} failed" if document.failed else "")
     if document.chances:
-        heads = ("criterion", "inside", "probability", "95 % interval")
+        unknown = document.chances[-1].unknown
+        runs += f"; {unknown} that failed or were not evaluated count as outside" if unknown else ""
+        most = {output: effect for effect, output in _strongest(document)}
+        heads = ("criterion", "inside", "probability", "95 % interval", "moved most by", "share")
         rows = [
             (
                 c.criterion,
                 f"{c.inside} of {c.runs}",
                 f"{c.probability:.3f}",
                 f"{c.lower:.3f} to {c.upper:.3f}",
+                most[c.criterion].factor if c.criterion in most else "",
+                f"{100 * most[c.criterion].share:.0f} %" if c.criterion in most else "",
             )
             for c in document.chances
         ]
-        return f"{aligned(heads, rows, right=(1, 2, 3))}\n{runs}"
-    heads = ("output", "moved most by", "effect", "unit")
-    rows = []
-    for output in dict.fromkeys(effect.output for effect in document.effects):
-        if output in document.output_units:
-            most = max((e for e in document.effects if e.output == output), key=lambda e: e.share)
-            rows.append(
-                (output, most.factor, signed_significant(most.effect, 4), document.output_units[output])
-            )
-    return f"{aligned(heads, rows, right=(2,))}\n{runs}"
+        return f"{aligned(heads, rows, right=(1, 2, 3, 5))}\n{runs}"
+    names = ("output", "moved most by", "effect", "unit")
+    moved = [
+        (output, most.factor, signed_significant(most.effect, 4), document.output_units.get(output, ""))
+        for most, output in _strongest(document)
+    ]
+    return f"{aligned(names, moved, right=(2,))}\n{runs}"
+
+
+def _strongest(document: StudyReport) -> list[tuple[Effect, str]]:
+    """Return the strongest effect on each output, with the output."""
+    return [
+        (max((e for e in document.effects if e.output == output), key=lambda e: e.share), output)
+        for output in dict.fromkeys(effect.output for effect in document.effects)
+        if output in document.outputs
+    ]
 
 
 def optimum_text(document: OptimumReport) -> str:
@@ -49,7 +60,12 @@ def optimum_text(document: OptimumReport) -> str:
         if document.keeps_all_limits
         else "no settings keep all limits with the margin"
     )
-    tight = f"tightest limit: {signed(100 * document.slack, 1)} % of it beyond what is needed"
+    percent = fixed(100 * abs(document.slack), 1)
+    tight = (
+        f"tightest limit: {percent} % of it to spare beyond the margin"
+        if document.slack >= 0
+        else f"tightest limit: missed with the margin by {percent} % of it"
+    )
     settings = (f"--set '{setting}'" for setting in document.settings)
     return "\n".join([f"{head} ({document.runs} runs); {tight}", *settings])
 

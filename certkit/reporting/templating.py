@@ -62,6 +62,7 @@ def _environment(code: str) -> SandboxedEnvironment:
         "shown": words.shown,
         "milliseconds": words.milliseconds,
         "stamp_width": _stamp_width,
+        "path": _path,
         "slug_class": lambda verdict: "v-" + str(verdict).replace(" ", "-"),
     }
     spoken = language(code)
@@ -76,6 +77,13 @@ def _environment(code: str) -> SandboxedEnvironment:
         "confidence_words": words.CONFIDENCE,
     }
     return environment
+
+
+def _path(path: str) -> str:
+    """Return a parameter's path as markup that breaks between its words, not within them."""
+    from markupsafe import Markup  # noqa: PLC0415  # comes with jinja2
+
+    return Markup(".<wbr>").join(path.split("."))
 
 
 def _stamp_width(verdict: str, word: str) -> int:

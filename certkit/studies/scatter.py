@@ -25,20 +25,26 @@ def chances(table: pd.DataFrame) -> list[Chance]:
     inside = margins >= 0
     # Margins of moments and elongations are compared by how far each scatters.
     spread = np.array([_sd(column) for column in margins.T])
-    scaled = np.where(np.isnan(margins), -np.inf, margins / np.where(spread > 0, spread, 1.0))
-    failing = ~inside.all(axis=1)
-    worst = scaled[failing].argmin(axis=1)
+    known = np.where(np.isnan(margins), np.inf, margins / np.where(spread > 0, spread, 1.0))
+    worst = np.where((known < 0).any(axis=1), known.argmin(axis=1), -1)
+    unknown = np.isnan(margins)
     rows = [
         _chance(
             name.removesuffix(MARGIN),
             np.asarray(inside[:, i]),
             float(np.nanmean(margins[:, i]) / spread[i]) if spread[i] > 0 else None,
-            int((worst == i).sum()),
+            first=int((worst == i).sum()),
+            unknown=int(unknown[:, i].sum()),
         )
         for i, name in enumerate(columns)
     ]
     rows.sort(key=lambda row: (row.probability, np.inf if row.distance is None else row.distance))
-    return [*rows, _chance("all", np.asarray(inside.all(axis=1)), None, int(failing.sum()))]
+    all_inside = inside.all(axis=1)
+    doubtful = int((unknown.any(axis=1) & ~(known < 0).any(axis=1)).sum())
+    together = _chance(
+        "all", np.asarray(all_inside), None, first=int((~all_inside).sum()) - doubtful, unknown=doubtful
+    )
+    return [*rows, together]
 
 
 def _sd(column: NDArray[np.float64]) -> float:
@@ -46,7 +52,9 @@ def _sd(column: NDArray[np.float64]) -> float:
     return float(known.std(ddof=1)) if known.size > 1 else 0.0
 
 
-def _chance(criterion: str, inside: NDArray[np.bool_], distance: float | None, first: int) -> Chance:
+def _chance(
+    criterion: str, inside: NDArray[np.bool_], distance: float | None, *, first: int, unknown: int
+) -> Chance:
     from scipy.stats import binomtest  # noqa: PLC0415  # slow to import
 
     count, runs = int(inside.sum()), int(inside.size)
@@ -60,4 +68,5 @@ def _chance(criterion: str, inside: NDArray[np.bool_], distance: float | None, f
         upper=float(interval.high),
         distance=distance,
         first=first,
+        unknown=unknown,
     )

@@ -16,7 +16,7 @@ from certkit.bench.setup import Setup, Unchanged, prepare
 from certkit.definitions.loading.kinds import kind_of
 from certkit.definitions.loading.library import search_order
 from certkit.definitions.loading.old_forms import path_of_today
-from certkit.definitions.loading.parameter_list import parameters
+from certkit.definitions.loading.parameter_list import curve_points, parameters
 from certkit.definitions.loading.search_path import RememberedStore
 from certkit.grading import grade_criteria, grade_quality, measure_all, overall
 from certkit.grading.asked_criterion import dimension_of
@@ -159,10 +159,11 @@ class Trial(Struct, frozen=True, dict=True):
             setup = self.prepared(name, {})
             sheets = [("", setup.procedure), ("legform.", setup.legform), ("vehicle.", setup.vehicle)]
             for prefix, sheet in sheets:
-                for entry in numbers_of(sheet):
-                    path = prefix + entry[0]
-                    found[f"{name}/{path}"] = entry[1]
-                    found.setdefault(path, entry[1])
+                points = curve_points(sheet).items() if isinstance(sheet, BaseModel) else ()
+                for key, value in (*numbers_of(sheet), *points):
+                    path = prefix + key
+                    found[f"{name}/{path}"] = value
+                    found.setdefault(path, value)
         for name in names:
             if name not in found and (value := found.get(self.today(name))) is not None:
                 found[name] = value

@@ -12,6 +12,7 @@ from support import toys
 from certkit.definitions.study import Study
 from certkit.errors import RunError
 from certkit.reporting.study_pages import study_page
+from certkit.reporting.study_text import study_text
 from certkit.studies.execution import Execution
 from certkit.studies.factors import Factor, Uniform
 from certkit.studies.runs import Runs
@@ -140,9 +141,26 @@ def test_a_failed_run_counts_as_outside() -> None:
     assert by_name["p/T1"].inside == 10
     assert by_name["p/T2"].inside == 18
     assert by_name["all"].inside == 10
+    assert [by_name[name].unknown for name in ("p/T1", "p/T2", "all")] == [2, 2, 2]
+    assert [by_name[name].first for name in ("p/T1", "p/T2", "all")] == [8, 0, 8]
     assert findings.chances[0].criterion == "p/T1"
     # Clopper and Pearson for 10 of 20, from their tables.
     assert (by_name["p/T1"].lower, by_name["p/T1"].upper) == pytest.approx((0.272, 0.728), abs=5e-4)
+
+
+def test_page_and_text_say_first_what_leaves_its_corridor_and_what_moves_it() -> None:
+    def margins(point: Any) -> Any:  # noqa: ANN401
+        value = float(point["a"]) + 0.1 * float(point["b"])
+        return {"p/T1": value, "p/T1 margin": 1.0 - value, "p/T2": 2.0, "p/T2 margin": 1.0}
+
+    document = study_report(carried({"kind": "latin hypercube", "runs": 20}, AB, margins))
+    page, text = study_page(document), study_text(document)
+    beyond = 20 - document.chances[0].inside
+    said = f"p/T1 leaves its corridor first, in {beyond} runs."
+    assert page.index(said) < page.index("What moves what") < page.index("How probable") < page.index("<svg")
+    assert "moved most by" in text
+    assert text.splitlines()[1].split()[:1] == ["p/T1"]
+    assert " a " in text.splitlines()[1]
 
 
 def test_without_graded_criteria_there_are_no_chances() -> None:

@@ -5,7 +5,11 @@ from __future__ import annotations
 import pickle
 from typing import TYPE_CHECKING
 
+import pytest
+
 from certkit.definitions.loading.search_path import shipped_root
+from certkit.definitions.study import StudyParameter
+from certkit.studies.factors import factor_of
 from certkit.studies.optimise import Limit, limits_of
 from certkit.studies.trial import Trial
 
@@ -61,3 +65,13 @@ def test_a_time_is_in_milliseconds_whatever_channel_it_is_of(tmp_path: Path) -> 
     trial = Trial(("own",), library=(str(tmp_path),))
     assert trial.output_units()["own/when"] == "ms"
     assert limits_of(trial)["own/when"] == Limit(5.0, 30.0)
+
+
+def test_a_point_of_a_curve_has_its_value_in_the_definitions_and_takes_a_share_of_it() -> None:
+    trial = Trial(("vehicle",), fixed={"vehicle": "generic-saloon"})
+    name = "vehicle.springs.spoiler foam.loading.22 mm"
+    parameter = StudyParameter.model_validate({"path": name, "uniform": "30 %"})
+    factor = factor_of(parameter, trial.nominals([name]))
+    assert factor.nominal == 1540.0
+    assert (factor.distribution.low, factor.distribution.high) == pytest.approx((1078.0, 2002.0))
+    assert trial.prepared("vehicle", {}).vehicle.springs["spoiler foam"].loading[1][1] == 1540.0

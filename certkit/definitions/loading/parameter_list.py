@@ -41,6 +41,19 @@ def parameters(document: BaseModel) -> list[ListedParameter]:
     return list(_walk(document, ""))
 
 
+def curve_points(document: BaseModel) -> dict[str, str]:
+    """Return the ordinate of each point of a document's curves by its path: `springs.foam.loading.28 mm`."""
+    return dict(_points(document, ""))
+
+
+def _points(given: object, path: str) -> Iterator[tuple[str, str]]:
+    if curve := _curve(given):
+        yield from ((_join(path, point[0].text), point[1].text) for point in curve if len(point) == 2)
+    elif not isinstance(given, Number):
+        for key, entry in _entries(given):
+            yield from _points(entry, _join(path, key))
+
+
 def _walk(given: object, path: str) -> Iterator[ListedParameter]:
     if isinstance(given, Number):
         yield ListedParameter(path, given.text, given.source, given.confidence)
