@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
+from certkit.bench.leg_remarks import leg_remarks
 from certkit.bench.model_origins import fits_of, fitted_to, model_remarks
 from certkit.bench.setup import Setup, prepare
 from certkit.documents.rounding import rounded_difference
@@ -84,7 +85,8 @@ def run_setup(setup: Setup, *, refine: bool = True, library: Library = ()) -> Re
     measured = measure_all(setup.procedure, simulation.recording)
     front, vehicle = simulation.front, setup.vehicle
     fits = fits_of(setup, library)
-    fitted, bounds = tuple(fitted_to(setup, fits, library)), model_remarks(setup, fits, front)
+    fitted = tuple(fitted_to(setup, fits, library))
+    bounds = (*model_remarks(setup, fits, front), *leg_remarks(setup, simulation))
     refinement = _refine(setup, simulation, measured, half.result) if half else None
     quality = grade_quality(
         simulation.quality,

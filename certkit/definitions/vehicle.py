@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import combinations
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
@@ -10,6 +11,9 @@ from certkit.definitions.base import Section
 from certkit.definitions.bounded_numbers import LengthFromZero, RatioFromZero, StiffnessAboveZero
 from certkit.definitions.loading.faults import Fault, Faults
 from certkit.definitions.provenance import Damping, Force, Length, Mass, Ratio, Stiffness
+
+SHARED = 0.01
+"""m of height that two faces may share, as ends of one line that were rounded."""
 
 
 class FaceOutline(Section):
@@ -240,6 +244,30 @@ class Vehicle(Section):
                     ),
                 )
             )
+        faults += self._pressed_twice()
         if faults:
             raise Faults(faults)
         return self
+
+    def _pressed_twice(self) -> list[Fault]:
+        """Find flat faces at one height: the leg's flesh, one layer, would be pressed as if it were two.
+
+        Faces with outlines stand where a run had them.
+        """
+        if any(group.outlines for group in self.groups.values()):
+            return []
+        faced = [
+            (float(group.low), float(group.high), name)
+            for name, group in self.groups.items()
+            if group.low is not None and group.high is not None
+        ]
+        faults: list[Fault] = []
+        for (_, top, other), (low, high, name) in combinations(sorted(faced), 2):
+            shared = min(high, top) - low
+            if shared > SHARED:
+                said = (
+                    f"the faces of `{other}` and `{name}` share {1e3 * shared:.0f} mm of height; a leg meets "
+                    "the foremost only: cut them, or leave out the face of the one behind"
+                )
+                faults.append((("groups", name, "low"), said))
+        return faults

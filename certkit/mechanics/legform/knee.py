@@ -96,7 +96,8 @@ def resting_forces(knee: Knee) -> tuple[tuple[float, float], tuple[float, float]
     for ligament in knee.ligaments.values():
         (ax, az), (bx, bz) = ligament.femur, ligament.tibia
         length = math.hypot(ax - bx, az - bz)
-        fx, fz = -ligament.preload * (ax - bx) / length, -ligament.preload * (az - bz) / length
+        tension = max(float(ligament.preload), 0.0)  # below zero it is slack
+        fx, fz = -tension * (ax - bx) / length, -tension * (az - bz) / length
         pull_x += fx
         pull_z += fz
         moment += ax * fz - az * fx

@@ -27,6 +27,7 @@ def probes(world: World, rig: RigAssembly) -> dict[str, int]:
     """Return what to record, by a name of its own: where each state stands in the world's tables."""
     leg = rig.leg
     places = {f"joint {joint.row}": world.place(JointSpring, joint.row, "moment") for joint in leg.joints}
+    places |= {f"angle {joint.row}": world.place(JointSpring, joint.row, "angle") for joint in leg.joints}
     places |= {
         f"ligament {name}": world.place(LigamentCable, row, "elongation")
         for name, row in leg.ligaments.items()
