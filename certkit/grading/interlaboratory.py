@@ -24,6 +24,10 @@ STRAGGLER, OUTLIER = 0.05, 0.01
 FEWEST_LABORATORIES = 3
 """Below, no mean can be told from the others, so that neither Grubbs' test nor Mandel's h is given."""
 
+SAME = 1e-7
+"""Share of their size by which values may differ and be one: documents keep seven digits, and what is left of
+equal ones in the last bits is no scatter."""
+
 _ROBUST_STEPS = 200
 _ROBUST_ENDS = 1e-9
 
@@ -93,7 +97,7 @@ def precision(tests: Mapping[str, Sequence[float]]) -> Precision:
     mean = float(counts @ means / size)
     within = None
     if size > number:
-        within = math.sqrt(sum(float(((row - row.mean()) ** 2).sum()) for row in rows) / (size - number))
+        within = math.sqrt(sum(_squares(row) for row in rows) / (size - number))
     if number < 2:  # one laboratory alone
         return Precision(mean, within, None, None)
     spread = float(counts @ (means - mean) ** 2) / (number - 1)
@@ -137,31 +141,32 @@ def statistics_by_laboratory(tests: Mapping[str, Sequence[float]]) -> dict[str, 
     means = np.array([rows[name].mean() for name in names])
     centre, scale = robust_mean(means.tolist())
     pooled = precision(tests).within
-    spread = float(means.std(ddof=1)) if len(names) >= FEWEST_LABORATORIES else 0.0
-    found = {name: [*_cochran(rows, name), *_grubbs(means, names, name)] for name in names}
+    spread = _deviation(means) if len(names) >= FEWEST_LABORATORIES else 0.0
+    marks = (_cochran(rows), _grubbs(means, names))
     return {
         name: LaboratoryStatistics(
             mean=float(mean),
-            deviation=float(rows[name].std(ddof=1)) if rows[name].size > 1 else None,
+            deviation=_deviation(rows[name]) if rows[name].size > 1 else None,
             z=(float(mean) - centre) / scale if scale > 0 else None,
             h=(float(mean) - float(means.mean())) / spread if spread > 0 else None,
-            k=float(rows[name].std(ddof=1)) / pooled if pooled and rows[name].size > 1 else None,
-            found=tuple(found[name]),
+            k=_deviation(rows[name]) / pooled if pooled and rows[name].size > 1 else None,
+            found=tuple(mark[name] for mark in marks if name in mark),
         )
         for name, mean in zip(names, means, strict=True)
     }
 
 
-def cochran_critical(level: float, laboratories: int, tests: int) -> float:
-    """Return the largest share of one variance in the sum of p variances of n tests (ISO 5725-2, 8.3.4).
+def cochran_critical(level: float, laboratories: int, own: int, others: int) -> float:
+    """Return the largest share that one laboratory may have in the squares of all (ISO 5725-2, 8.3.4).
 
-    C = 1 / (1 + (p − 1) / F), F the quantile at 1 − level/p with n − 1 and (p − 1)(n − 1) degrees of freedom.
+    C = 1 / (1 + ν_o / (ν·F)), F the quantile at 1 − level/p with ν degrees of freedom of its own and ν_o of
+    the others. With n tests everywhere, ν = n − 1, that is Cochran's; with unequal numbers each laboratory
+    has a bound of its own, and the level is kept (R. U. E. 't Lam, Anal. Chim. Acta 659 (2010) 68).
     """
-    from scipy.stats import f  # noqa: PLC0415  # half a second, for these tests only
+    from scipy.special import fdtri  # noqa: PLC0415  # scipy is slow to import, and for these tests only
 
-    one, others = tests - 1, (laboratories - 1) * (tests - 1)
-    quantile = float(f.ppf(1 - level / laboratories, one, others))
-    return 1 / (1 + (laboratories - 1) / quantile)
+    quantile = float(fdtri(own, others, 1 - level / laboratories))
+    return 1 / (1 + others / (own * quantile))
 
 
 def grubbs_critical(level: float, laboratories: int) -> float:
@@ -175,35 +180,51 @@ def grubbs_critical(level: float, laboratories: int) -> float:
     return (laboratories - 1) / math.sqrt(laboratories) * math.sqrt(square / (laboratories - 2 + square))
 
 
-def usual_count(tests: Mapping[str, Sequence[float]]) -> int:
-    """Return the number of tests that most laboratories made; of equally many, the larger."""
-    counts = [len(values) for values in tests.values()]
-    return max(counts, key=lambda count: (counts.count(count), count))
+def _squares(row: NDArray[np.float64]) -> float:
+    """Return the sum of squared distances from the mean; none where the values are one but for rounding."""
+    if np.ptp(row) <= SAME * float(np.abs(row).max()):
+        return 0.0
+    return float(((row - row.mean()) ** 2).sum())
 
 
-def _cochran(rows: Mapping[str, NDArray[np.float64]], name: str) -> list[tuple[str, str]]:
-    """Test the largest scatter among those of all that tested twice."""
-    variances = {each: float(row.var(ddof=1)) for each, row in rows.items() if row.size > 1}
-    total = sum(variances.values())
-    if len(variances) < 2 or total == 0 or max(variances, key=variances.__getitem__) != name:
-        return []
-    tests = usual_count({each: rows[each].tolist() for each in variances})
-    share = variances[name] / total
-    return _judged("cochran", share, lambda level: cochran_critical(level, len(variances), tests))
+def _deviation(row: NDArray[np.float64]) -> float:
+    return math.sqrt(_squares(row) / (row.size - 1))
 
 
-def _grubbs(means: NDArray[np.float64], names: Sequence[str], name: str) -> list[tuple[str, str]]:
+def _cochran(rows: Mapping[str, NDArray[np.float64]]) -> dict[str, tuple[str, str]]:
+    """Test the scatter that is least like the others' by chance, among all that tested twice."""
+    from scipy.special import fdtrc  # noqa: PLC0415  # likewise
+
+    twice = {name: row for name, row in rows.items() if row.size > 1}
+    squares = {name: _squares(row) for name, row in twice.items()}
+    total, freedom = sum(squares.values()), sum(row.size - 1 for row in twice.values())
+    if len(twice) < 2 or total == 0:
+        return {}
+
+    def chance(name: str) -> tuple[float, float]:
+        own, rest = twice[name].size - 1, total - squares[name]
+        ratio = squares[name] / own * (freedom - own) / rest if rest > 0 else math.inf
+        return float(fdtrc(own, freedom - own, ratio)), -squares[name]
+
+    odd = min(twice, key=chance)
+    own = twice[odd].size - 1
+    mark = _judged(
+        squares[odd] / total, lambda level: cochran_critical(level, len(twice), own, freedom - own)
+    )
+    return {odd: ("cochran", mark)} if mark else {}
+
+
+def _grubbs(means: NDArray[np.float64], names: Sequence[str]) -> dict[str, tuple[str, str]]:
     """Test the mean that lies farthest from all."""
-    spread = float(means.std(ddof=1)) if len(names) >= FEWEST_LABORATORIES else 0.0
+    spread = _deviation(means) if len(names) >= FEWEST_LABORATORIES else 0.0
     if spread == 0:
-        return []
+        return {}
     away = np.abs(means - means.mean()) / spread
-    if names[int(away.argmax())] != name:
-        return []
-    return _judged("grubbs", float(away.max()), lambda level: grubbs_critical(level, len(names)))
+    mark = _judged(float(away.max()), lambda level: grubbs_critical(level, len(names)))
+    return {names[int(away.argmax())]: ("grubbs", mark)} if mark else {}
 
 
-def _judged(test: str, value: float, critical: Callable[[float], float]) -> list[tuple[str, str]]:
+def _judged(value: float, critical: Callable[[float], float]) -> str:
     if value > critical(OUTLIER):
-        return [(test, "outlier")]
-    return [(test, "straggler")] if value > critical(STRAGGLER) else []
+        return "outlier"
+    return "straggler" if value > critical(STRAGGLER) else ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 from support.several_laboratories import PRINTED, level
 
@@ -24,8 +25,8 @@ def test_the_standard_example_comes_out_to_the_printed_digit(number: int) -> Non
 
 def test_critical_values_are_those_of_the_printed_tables() -> None:
     # The tables cut the last digit off where they do not round.
-    assert cochran_critical(0.05, 8, 3) == pytest.approx(0.516, abs=1e-3)
-    assert cochran_critical(0.01, 8, 3) == pytest.approx(0.615, abs=1e-3)
+    assert cochran_critical(0.05, 8, 2, 14) == pytest.approx(0.516, abs=1e-3)
+    assert cochran_critical(0.01, 8, 2, 14) == pytest.approx(0.615, abs=1e-3)
     assert grubbs_critical(0.05, 8) == pytest.approx(2.126, abs=1e-3)
     assert grubbs_critical(0.01, 8) == pytest.approx(2.274, abs=1e-3)
 
@@ -50,6 +51,31 @@ def test_equal_means_leave_nothing_to_the_laboratories() -> None:
     found = precision({"a": [1.0, 3.0], "b": [3.0, 1.0]})
     assert found.between == 0
     assert found.total == found.within == pytest.approx(math.sqrt(2))
+
+
+def test_equal_values_are_no_scatter_whatever_their_last_bits() -> None:
+    found = statistics_by_laboratory({str(count): [22.1] * count for count in (3, 1, 2, 5, 7)})
+    assert {(row.h, row.k, row.found) for row in found.values()} == {(None, None, ())}
+
+
+@pytest.mark.parametrize("counts", [(3,) * 8, (5, 5, 5, 5, 2, 2, 2), (10, 2)], ids=str)
+def test_laboratories_that_scatter_alike_are_stragglers_in_one_round_of_twenty(
+    counts: tuple[int, ...],
+) -> None:
+    """However unequal their numbers of tests: with the usual number for all it was up to every other one."""
+    chance, rounds = np.random.default_rng(7), 1000
+    called = sum(
+        any(
+            test == "cochran"
+            for row in statistics_by_laboratory(
+                {str(number): chance.normal(size=count).tolist() for number, count in enumerate(counts)}
+            ).values()
+            for test, _ in row.found
+        )
+        for _ in range(rounds)
+    )
+    # Within four standard deviations of the count.
+    assert called / rounds == pytest.approx(0.05, abs=4 * (0.05 * 0.95 / rounds) ** 0.5)
 
 
 def test_a_wild_value_moves_the_robust_mean_little() -> None:
