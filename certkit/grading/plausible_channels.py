@@ -186,7 +186,10 @@ def _early(leg: LegChannels) -> Iterator[tuple[str, Reason]]:
     if leg.rest < 2:
         return
     before = {name: values[: leg.rest] for name, values in leg.smooth.items() if leg.blow_beside(name)}
-    for name, share in moves_early(before, leg.peaks).items():
+    # Bones swing in flight, ligaments do not: gauges are held against gauges.
+    bones = {name: values for name, values in before.items() if leg.moment(name)}
+    shares = {name: s for name, s in moves_early(before, leg.peaks).items() if name not in bones}
+    for name, share in {**moves_early(bones, leg.peaks), **shares}.items():
         yield name, Reason.of("moves-before-contact", share=100.0 * share)
 
 

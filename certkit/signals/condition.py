@@ -18,10 +18,10 @@ from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.errors import DataError
 from certkit.reasons import Reason
 from certkit.signals.clipping import beyond_class, find_clipping
-from certkit.signals.noise import FREE_FLIGHT_NOISE, WINDOW, free_flight
+from certkit.signals.noise import ALLOWED, FREE_FLIGHT_NOISE, WINDOW, free_flight
 from certkit.signals.offset import MARGIN, SHORTEST, quiet_interval, remove_offset
 from certkit.signals.polarity import LOUD, is_swapped
-from certkit.signals.time_zero import TOLERANCE, first_contact, shifted
+from certkit.signals.time_zero import LATE, TOLERANCE, first_contact, shifted
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -166,12 +166,16 @@ def unclipped(recording: Recording, situation: Situation) -> Recording:
 
 
 def timed(recording: Recording, situation: Situation) -> Recording:
-    """Move time zero to the first contact where the trigger is more than 5 ms away from it."""
+    """Move time zero to the first contact where the trigger is more than 5 ms before it, or 2 ms behind."""
     if not situation.dynamic:
         return recording
-    contact = first_contact(recording)
-    if contact is None or abs(contact.time) <= TOLERANCE:
+    contact = first_contact(recording, flight=ALLOWED if situation.free_flight else 0.0)
+    if contact is None or -LATE <= contact.time <= TOLERANCE:
         return recording
+    if not contact.quiet and contact.time <= 0.0 <= contact.risen:
+        return (
+            recording  # a leg swings in flight: where its rise begins is not known better than by the trigger
+        )
     note = Reason.of("time-zero-moved", by=contact.time * 1e3, channel=contact.channel)
     return _noted(shifted(recording, contact.time), note)
 

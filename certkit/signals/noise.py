@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 WINDOW = 0.030
 """Seconds before contact."""
+ALLOWED = 15.0
+"""Largest moment of a tibia in free flight, either way, N·m."""
 FREE_FLIGHT_NOISE = "free-flight noise"
 """Name of the condition, N·m."""
 

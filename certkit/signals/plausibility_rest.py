@@ -32,20 +32,30 @@ def copies(rest: Mapping[str, NDArray[np.float64]]) -> list[tuple[str, str]]:
     ----------
     rest : mapping of str to ndarray, shape (n,)
         Not filtered, before contact, each in its unit. Second differences are compared, so that hum and drift
-        do not count.
+        do not count; in both halves by themselves, since what a filter, or a late trigger, lets through of
+        the blow is at the end alone, and common to all.
     """
     noisy = {}
     for name, values in rest.items():
-        steps = np.diff(values, 2)
-        if values.size >= LEAST and np.unique(values).size >= LEVELS and float(steps.std()) > 0.0:
-            noisy[name] = (steps - steps.mean()) / float(steps.std())
+        if values.size < LEAST or np.unique(values).size < LEVELS:
+            continue
+        halves = np.diff(values[: values.size - values.size % 2].reshape(2, -1), 2)
+        deviations = halves.std(axis=1, keepdims=True)
+        if float(deviations.min()) > 0.0:
+            noisy[name] = (halves - halves.mean(axis=1, keepdims=True)) / deviations
     names = list(noisy)
     return [
         (name, other)
         for k, name in enumerate(names)
         for other in names[k + 1 :]
-        if abs(float((noisy[name] * noisy[other]).mean())) > SHARED
+        if abs(_weaker((noisy[name] * noisy[other]).mean(axis=1))) > SHARED
     ]
+
+
+def _weaker(correlations: NDArray[np.float64]) -> float:
+    """Return that of the two correlations which is nearer to zero; zero where their signs differ."""
+    one, other = correlations.tolist()
+    return min(one, other, key=abs) if one * other > 0.0 else 0.0
 
 
 def swing_at_rest(rest: NDArray[np.float64], peak: float) -> float | None:

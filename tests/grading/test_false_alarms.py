@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import certkit
 from certkit.bench.setup import prepare
+from certkit.definitions.channels import MOMENT
 from certkit.grading import measure_all
 from tests.support.laboratory_records import CASES, as_measured, leg_channels
 
@@ -27,6 +30,35 @@ def test_no_doubt_is_cast_on_forty_good_recordings(case: int):
         said = {n: v.doubt or v.reason for n, v in measured.values.items() if n in graded}
         assert {n: str(reason) for n, reason in said.items() if reason is not None} == {}, seed
         assert measured.remarks == (), seed
+
+
+@pytest.mark.parametrize("late", [0.0045, 0.002, -0.0045])
+@pytest.mark.parametrize("case", range(len(CASES)))
+def test_no_doubt_is_cast_where_the_trigger_comes_a_little_late_or_early(case: int, late: float):
+    sheet = prepare(CASES[case][0], overrides=CASES[case][1]).procedure
+    made = leg_channels(case)
+    for seed in range(5):
+        good = as_measured(made, seed)
+        recorded = replace(good, time=good.time - round(late / good.interval) * good.interval)
+        measured = measure_all(sheet, recorded)
+        said = {c.id: measured.values[c.id].doubt for c in sheet.criteria if c.corridor is not None}
+        assert {n: str(reason) for n, reason in said.items() if reason is not None} == {}, seed
+
+
+@pytest.mark.parametrize("case", [2, 3, 4])
+@pytest.mark.parametrize("phase", [0.0, 2.0, 4.0])
+def test_no_doubt_is_cast_on_a_leg_that_swings_in_flight(case: int, phase: float):
+    sheet = prepare(CASES[case][0], overrides=CASES[case][1]).procedure
+    for seed in range(5):
+        good = as_measured(leg_channels(case), seed)
+        swing = np.cos(2 * np.pi * 30.0 * good.time + phase) * np.exp(-np.maximum(good.time, 0.0) / 0.01)
+        channels = {
+            name: replace(each, values=each.values + (8.0 * swing if each.dimension == MOMENT else 0.0))
+            for name, each in good.channels.items()
+        }
+        measured = measure_all(sheet, replace(good, channels=channels))
+        said = {c.id: measured.values[c.id].doubt for c in sheet.criteria if c.corridor is not None}
+        assert {n: str(reason) for n, reason in said.items() if reason is not None} == {}, seed
 
 
 @pytest.mark.parametrize("data", ["FLX-0007-pendulum.zip", "FLX-0007-pendulum.csv"])

@@ -154,9 +154,23 @@ def test_a_wrong_trigger_is_moved_to_first_contact(late: float):
     assert rec.notes[0].code == "time-zero-moved"
 
 
-def test_a_trigger_within_5_ms_is_kept():
-    rec = recording(TIME + 0.003, {"T1": half_sine(TIME, 250.0)})
+@pytest.mark.parametrize("early", [0.004, 0.0, -0.001])
+def test_a_trigger_up_to_5_ms_before_contact_and_2_ms_behind_it_is_kept(early: float):
+    rec = recording(TIME + early, {"T1": half_sine(TIME, 250.0)})
     assert timed(rec, CERTIFIED) is rec
+
+
+def test_nothing_is_loaded_before_it_is_hit():
+    rec = timed(recording(TIME - 0.004, {"T1": half_sine(TIME, 250.0)}), CERTIFIED)
+    assert first_contact(rec).time == pytest.approx(0.0, abs=0.001)
+
+
+@pytest.mark.parametrize("phase", [0.0, 1.5, 3.0, 4.5])
+def test_a_leg_that_swings_in_flight_is_not_taken_for_hit(phase: float):
+    """Within the 15 N·m that a tibia may show in flight, and more than the 5 % of its peak that a rise is."""
+    swing = 12.0 * np.cos(2 * np.pi * 25.0 * TIME + phase) * np.where(TIME < 0, 1.0, np.exp(-TIME / 0.01))
+    rec = recording(TIME, {"T1": swing + half_sine(TIME, 180.0)})
+    assert timed(rec, FLYING) is rec
 
 
 def test_contact_is_found_in_noise():

@@ -26,6 +26,15 @@ def test_the_same_hum_in_all_channels_makes_no_copies():
     assert copies({name: 5.0 * HUM + noise(k) for k, name in enumerate(("T1", "T2", "T3"))}) == []
 
 
+def test_what_a_filter_lets_through_of_the_blow_makes_no_copies():
+    """A filter without phase brings the begin of the blow forward, to all channels alike."""
+    foot = np.exp((TIME - TIME[-1]) / 1e-3)
+    rest = {
+        name: share * foot + noise(k, 1e-6) for k, (name, share) in enumerate({"T1": 9.0, "T2": 7.0}.items())
+    }
+    assert copies(rest) == []
+
+
 def test_channels_without_noise_are_no_copies():
     assert copies({"T1": np.zeros(400), "T2": np.zeros(400), "T3": np.repeat([0.0, 0.1], 200)}) == []
 
