@@ -18,7 +18,7 @@ from certkit.reasons import Reason
 from certkit.reporting.language import worded
 from certkit.studies.part_hypotheses import (
     DEVIATES,
-    POOR,
+    FARTHEST,
     TOLD_APART,
     Compared,
     PartFit,
@@ -146,7 +146,14 @@ def _told(leg: TestedLeg, sheet: Diagnosis, before: Sequence[TestedLeg], library
         procedure=leg.procedure,
         day=leg.day,
         serial=leg.serial,
-        answer=_answer(none, best.misfit, samples, sum(each.candidate for each in findings)),
+        answer=_answer(
+            deviates=none - best.misfit >= DEVIATES * width**2,
+            explained=compared.is_noise(
+                unchanged if none - best.misfit < DEVIATES * width**2 else best.curves
+            ),
+            alone=_alone(asked, ranked[0][0].part, best, compared, weights),
+            candidates=sum(each.candidate for each in findings),
+        ),
         misfit=none / samples,
         samples=samples,
         findings=findings,
@@ -172,7 +179,8 @@ def _compared(
     """Return what was recorded, or how the model would have to be for the change since an earlier test."""
     recorded = model.at_places(leg.filtered)
     earlier = None if base is None else model.at_places(base.filtered)
-    floor = share(sheet.floor) or 0.0
+    floor, gain = share(sheet.floor) or 0.0, share(sheet.gain) or 0.0
+    tests = 1 if base is None else 2  # each has a gain and a time zero of its own
     values, slopes, noise = {}, {}, {}
     for name, made in unchanged.items():
         row = recorded[name]
@@ -180,10 +188,12 @@ def _compared(
         if earlier is not None and base is not None and name in earlier:
             row = row - earlier[name] + made
             variance += _noise(base.filtered, name, model.filter) ** 2
+            variance += (floor * float(np.abs(earlier[name]).max())) ** 2
         values[name] = row
         slopes[name] = np.gradient(row, model.places)
         noise[name] = math.sqrt(variance) or 1.0
-    return Compared(values, slopes, noise, share(sheet.gain) or 0.0, parse_quantity(sheet.trigger, "time"))
+    trigger = parse_quantity(sheet.trigger, "time")
+    return Compared(values, slopes, noise, gain * tests**0.5, trigger * tests**0.5)
 
 
 def _noise(filtered: Filtered, name: str, words: str) -> float:
@@ -213,13 +223,29 @@ def _curve(
     )
 
 
-def _answer(none: float, best: float, samples: int, candidates: int) -> Answer:
-    scale = max(1.0, best / samples)
-    if none - best < DEVIATES * scale:
-        return "nothing deviates"
-    if best / samples > POOR:
+def _alone(
+    asked: Mapping[str, PartHypothesis],
+    best: str,
+    fit: PartFit,
+    compared: Compared,
+    weights: NDArray[np.float64],
+) -> bool:
+    """Tell whether the best part does it within what parts differ by, and leaves nothing to another one."""
+    first = asked[best]
+    if abs(fit.change) >= FARTHEST * first.usual * (1 - 1e-9):
+        return False
+    others = [each for name, each in asked.items() if name != best]
+    return all(each.takes_away(first, fit, compared, weights) < DEVIATES for each in others)
+
+
+def _answer(*, deviates: bool, explained: bool, alone: bool, candidates: int) -> Answer:
+    if not explained:
         return "no part explains it"
-    return "one part" if candidates == 1 else "several parts would do"
+    if not deviates:
+        return "nothing deviates"
+    if candidates > 1:
+        return "several parts would do"
+    return "one part" if alone else "no part explains it"
 
 
 def _finding(

@@ -31,8 +31,10 @@ TOLD_APART = 6.0
 """Parts whose χ² differ by less are not told apart: a likelihood ratio of twenty."""
 DEVIATES = 9.0
 """χ² that a part has to take away before a leg counts as deviating: three standard deviations."""
-POOR = 4.0
-"""χ² per sample from which on no single part counts as an explanation."""
+FARTHEST = 3.0
+"""Times what is usual that a part is let differ by; one that wants more stands for something else."""
+SIGMAS = 4.0
+"""Standard deviations of χ² by which what is left may be more than the samples: then it is no noise."""
 
 
 class Compared(Struct, frozen=True):
@@ -74,6 +76,22 @@ class Compared(Struct, frozen=True):
             start += row.size
         moved = self.trigger * self.stacked(self.slopes)
         return np.asarray(np.linalg.inv(covariance + np.outer(moved, moved)), dtype=np.float64)
+
+    def is_noise(self, curves: Mapping[str, NDArray[np.float64]]) -> bool:
+        """Tell whether what curves (SI, shape (n,) each) leave is what the uncertainties explain, everywhere.
+
+        Each channel is looked at by itself, with C's block of it: a gauge that reads wrongly is one of many.
+        """
+        for name, row in self.values.items():
+            gain, moved = (
+                self.gain * row / self.noise[name],
+                self.trigger * self.slopes[name] / self.noise[name],
+            )
+            block = np.eye(row.size) + np.outer(gain, gain) + np.outer(moved, moved)
+            left = (row - curves[name]) / self.noise[name]
+            if float(left @ np.linalg.solve(block, left)) > row.size + SIGMAS * (2 * row.size) ** 0.5:
+                return False
+        return True
 
 
 class PartFit(Struct, frozen=True):
@@ -144,20 +162,34 @@ class PartHypothesis(Struct, frozen=True):
         return PartFit(change, curvature**-0.5, misfit_of(curves, compared, weights), curves)
 
     def refined(self, first: PartFit, compared: Compared, weights: NDArray[np.float64]) -> PartFit:
-        """Return the best change by running the model at it; no farther off than thrice what is usual.
+        """Return the best change by running the model at it; no farther off than `FARTHEST`.
 
         `weights` are C⁻¹, shape (m, m).
         """
         target, slope = compared.stacked(compared.values), compared.stacked(self.slope)
-        change, curves = max(-3 * self.usual, min(3 * self.usual, first.change)), first.curves
+        most = FARTHEST * self.usual
+        change, curves = max(-most, min(most, first.change)), first.curves
         for _ in range(STEPS):
             curves = self.model(change)
             left = target - compared.stacked(curves)
             step = (float(slope @ weights @ left) - change * self.usual**-2) * first.deviation**2
             if abs(step) < ENOUGH * first.deviation:
                 break
-            change = max(-3 * self.usual, min(3 * self.usual, change + step))
+            change = max(-most, min(most, change + step))
         return PartFit(change, first.deviation, misfit_of(curves, compared, weights), curves)
+
+    def takes_away(
+        self, best: PartHypothesis, fit: PartFit, compared: Compared, weights: NDArray[np.float64]
+    ) -> float:
+        """Return the χ² that this part takes away besides, where the best one is let go along with it.
+
+        (sᵀC⁻¹r)² / (sᵀC⁻¹s − (sᵀC⁻¹b)²/(bᵀC⁻¹b + 1/x_b²) + 1/x₀²), with what is left r, and slopes s and b.
+        `weights` are C⁻¹, shape (m, m).
+        """
+        own, other = compared.stacked(self.slope), compared.stacked(best.slope)
+        left = compared.stacked(compared.values) - compared.stacked(fit.curves)
+        shared = float(own @ weights @ other) ** 2 / (float(other @ weights @ other) + best.usual**-2)
+        return float(own @ weights @ left) ** 2 / (float(own @ weights @ own) - shared + self.usual**-2)
 
 
 def misfit_of(

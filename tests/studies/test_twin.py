@@ -43,6 +43,33 @@ def test_what_looks_alike_is_named_together(tmp_path: Path) -> None:
     assert all(part in said(test, language()) for part in named)
 
 
+@pytest.mark.parametrize(
+    ("overrides", "gauges"),
+    [
+        # Two parts; the larger change alone takes 95 % of the deviation away.
+        (
+            {
+                "legform.knee.ligaments.MCL.stiffness": "53.4 kN/m",
+                "legform.flesh.compression": "0.3776 MN/m²",
+            },
+            {},
+        ),
+        # What no part of the diagnosis stands for; a softer MCL, or the hinge, would do most of it.
+        ({"legform.knee.parallel stiffness": "275 N·m/rad"}, {}),
+        ({"legform.flesh.mass": "4.2 kg"}, {}),
+        # One gauge of eleven.
+        ({}, {"T2": 0.85}),
+        ({}, {"F2": 1.1}),
+    ],
+    ids=["two parts", "knee covers", "heavy flesh", "gauge T2", "gauge F2"],
+)
+def test_what_no_single_part_does_is_not_put_down_to_one(
+    overrides: dict[str, str], gauges: dict[str, float], tmp_path: Path
+) -> None:
+    (test,) = twin([graded(tmp_path, overrides, 11, gauges)]).tests
+    assert test.answer == "no part explains it"
+
+
 def test_against_an_earlier_test_only_what_changed_since_counts(tmp_path: Path) -> None:
     odd = {"legform.parts.tibia.bending stiffness": "160 N·m²"}
     path, form, value, true = CHANGES["MCL"]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from msgspec.structs import replace
 
@@ -28,11 +30,17 @@ CHANGES = {
 """Path, form, value and true change (% or mm) of each part."""
 
 
-def graded(folder: Path, overrides: dict[str, str], seed: int) -> Path:
-    """Simulate, add noise, write, grade and render; return the run's folder."""
+def graded(
+    folder: Path, overrides: dict[str, str], seed: int, gauges: Mapping[str, float] = MappingProxyType({})
+) -> Path:
+    """Simulate, let gauges be off by a factor, add noise, write, grade and render; return the run."""
     setup = prepare("pendulum", overrides=overrides)
     made = simulate(setup.procedure, setup.legform).recording
-    kept = {n: c for n, c in made.channels.items() if c.dimension in {MOMENT, ELONGATION}}
+    kept = {
+        name: replace(channel, values=gauges.get(name, 1.0) * channel.values)
+        for name, channel in made.channels.items()
+        if channel.dimension in {MOMENT, ELONGATION}
+    }
     folder.mkdir(parents=True, exist_ok=True)
     table, header = folder / f"{seed}.csv", folder / f"{seed}.yaml"
     table.write_text(csv_text(as_measured(replace(made, channels=kept), seed)), encoding="utf-8")
