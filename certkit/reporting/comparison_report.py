@@ -62,8 +62,39 @@ def _shown(document: ComparisonDocument, spoken: str) -> dict[str, Any]:
     shown = worded(document, spoken) if spoken != ENGLISH else document
     return {
         "doc": shown,
+        "said": _in_short(shown, language(spoken)),
         "drawings": [_overlay(overlay, document, language(spoken)) for overlay in document.overlays],
     }
+
+
+def _in_short(document: ComparisonDocument, spoken: Language) -> list[str]:
+    """Say how far the tests are apart: by the rule, by their peaks, by the rating, with the worst channel."""
+    t, said = spoken.word, []
+    if document.verdict:
+        said.append(f"{spoken.verdict(document.verdict)}: {title_in(document.rule, spoken)}")
+    if document.rows:
+        worst = max(document.rows, key=lambda row: abs(row.error_percent))
+        said.append(
+            t(
+                "Peaks: {percent} % root mean square, farthest {channel} with {error} %.",
+                percent=words.fixed(document.rms_error_percent, 1),
+                channel=worst.channel,
+                error=words.signed(worst.error_percent, 1),
+            )
+        )
+    rated = [row for row in document.ratings if row.overall is not None]
+    if document.rating is not None and rated:
+        least = min(rated, key=lambda row: row.overall or 0.0)
+        said.append(
+            t(
+                "ISO/TS 18571: {rating}, {grade}; lowest {channel} with {least}.",
+                rating=words.fixed(document.rating, 2),
+                grade=t(document.grade),
+                channel=least.channel,
+                least=words.fixed(least.overall, 2),
+            )
+        )
+    return said
 
 
 def _overlay(overlay: Overlay, document: ComparisonDocument, spoken: Language) -> Drawing:
@@ -77,4 +108,4 @@ def _overlay(overlay: Overlay, document: ComparisonDocument, spoken: Language) -
     ]
     filtered = "" if overlay.filter == "none" else f", {overlay.filter}"
     title = f"{words.named(overlay.channel, title_in(overlay.title, spoken))}{filtered}"
-    return lines_chart(lines, title, spoken.word("time after contact, ms"), overlay.unit)
+    return lines_chart(lines, title, spoken.word("time after contact, ms"), overlay.unit, most=240)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from functools import cache, partial
 from pathlib import Path
@@ -63,6 +64,7 @@ def _environment(code: str) -> SandboxedEnvironment:
         "milliseconds": words.milliseconds,
         "stamp_width": _stamp_width,
         "path": _path,
+        "tied": _tied,
         "slug_class": lambda verdict: "v-" + str(verdict).replace(" ", "-"),
     }
     spoken = language(code)
@@ -77,6 +79,14 @@ def _environment(code: str) -> SandboxedEnvironment:
         "confidence_words": words.CONFIDENCE,
     }
     return environment
+
+
+_TIED = re.compile(r"(?<=\d) (?=%|–|N\b|N·m|mm\b|ms\b)|(?<=[≤≥<±–]) (?=[\d−])")
+
+
+def _tied(words: str) -> str:
+    """Return a sentence whose numbers stay on one line with their units, and ranges with their ends."""
+    return _TIED.sub("\N{NO-BREAK SPACE}", words)
 
 
 def _path(path: str) -> str:

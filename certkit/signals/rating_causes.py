@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.reasons import Reason
-from certkit.signals.iso18571 import INTERVAL, OUTER, best_shift, overlap, smooth_slope
+from certkit.signals.iso18571 import INTERVAL, LARGEST_SHIFT, OUTER, best_shift, overlap, smooth_slope
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -32,7 +32,8 @@ def rating_causes(
     Returns
     -------
     list of Reason
-        Phase: the shift of best correlation, ms. Magnitude: after that shift, the peak and the area under
+        Phase: the shift of best correlation, ms; at the end of what is tried it may be larger.
+        Magnitude: after that shift, the peak and the area under
         the curve's amount over the reference's. Slope: the mean steepness over the reference's. Corridor: the
         share of the time in which the curves are farther apart than half the reference's peak.
     """
@@ -41,6 +42,8 @@ def rating_causes(
     causes: list[Reason] = []
     if rating.phase <= LOW and shift:
         code = "curve-early" if shift > 0 else "curve-late"
+        if abs(shift) >= int(LARGEST_SHIFT * reference.size):
+            code += "-or-more"
         causes.append(Reason.of(code, by=abs(shift) * INTERVAL * 1e3))
     if rating.magnitude <= LOW:
         peak = _over(float(np.abs(b).max()), float(np.abs(a).max()))

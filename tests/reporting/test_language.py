@@ -49,6 +49,8 @@ MADE_FROM_PARTS = {
     "agreement-peak",
     "curve-early",
     "curve-late",
+    "curve-early-or-more",
+    "curve-late-or-more",
     "simple-acceptance",
     "guard-band",
     "model-not-legform",

@@ -10,8 +10,11 @@ from certkit.documents.result import CriterionResult, Result
 from certkit.grading.relative_margin import relative_margin
 from certkit.reasons import Reason
 from certkit.reporting import number_format as words
+from certkit.reporting.html_report import suite_page
 from certkit.reporting.language import language
 from certkit.reporting.margins import margin_words, nearest_words, tally, worst
+from certkit.reporting.result_view import unique_views
+from certkit.reporting.suite_head import suite_head
 from certkit.reporting.templating import folder
 
 
@@ -105,3 +108,11 @@ def test_templates_write_numbers_in_the_ways_of_number_format_alone():
     templates = sorted(folder().rglob("*.j2"))
     assert templates
     assert [path.name for path in templates if "|format(" in path.read_text("utf-8")] == []
+
+
+def test_a_suite_names_first_what_did_not_pass_and_why(pendulum: Result, measured: Result, bending: Result):
+    head = suite_head(unique_views([pendulum, measured, bending]))
+    assert head.others[0].startswith("fail: pendulum – T4: ")
+    assert "outside" in head.others[0]
+    page = suite_page(unique_views([pendulum, measured, bending]))
+    assert page.index("T4: ") < page.index("<table")

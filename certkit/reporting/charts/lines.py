@@ -24,6 +24,7 @@ def lines_chart(  # noqa: PLR0913  # words, lines, and what stands beside them
     pens: Sequence[palette.Pen] = palette.GROUP_PENS,
     marks: Sequence[tuple[int, float, float]] = (),
     beyond: float | None = None,
+    most: int = 90,
 ) -> Drawing:
     """Draw lines with a legend to the right of the title.
 
@@ -41,6 +42,8 @@ def lines_chart(  # noqa: PLR0913  # words, lines, and what stands beside them
         Dots, such as at a line's peak.
     beyond : float, optional
         The plot is shaded from this abscissa on.
+    most : int
+        About how many points of each line are drawn.
     """
     rows = _legend(lines, title, width)
     x = span([v for _, xs, _ in lines for v in xs], margin=0)
@@ -58,7 +61,7 @@ def lines_chart(  # noqa: PLR0913  # words, lines, and what stands beside them
     for index, ((name, xs, ys), (row, place)) in enumerate(zip(lines, rows, strict=True)):
         pen = pens[index % len(pens)]
         css = f"curve {_css(pen)}"
-        points = traced(list(zip(xs, ys, strict=True)), 90)
+        points = traced(list(zip(xs, ys, strict=True)), most)
         data = path(frame.place(a, b) for a, b in points)
         drawn += tag(
             "path",
