@@ -70,7 +70,7 @@ def compare(
     from certkit.bench.compare import compare as put_beside  # noqa: PLC0415  # numpy waits until it is needed
     from certkit.bench.render_documents import render, reports_of  # noqa: PLC0415  # likewise
     from certkit.bench.result_folder import distinct_names  # noqa: PLC0415  # likewise
-    from certkit.cli.console import check_language  # noqa: PLC0415  # likewise
+    from certkit.cli.console import check_language, tell  # noqa: PLC0415  # likewise
     from certkit.documents.comparison import ComparisonDocument  # noqa: PLC0415  # likewise
     from certkit.reporting.comparison_text import comparison_text, overview_text  # noqa: PLC0415  # likewise
 
@@ -101,7 +101,7 @@ def compare(
             language=language,
             force=force,
             numbered=out is None,
-            tell=lambda what: typer.echo(what, err=True),
+            tell=tell,
         )
         folder = written[0].parent
         if not as_json:

@@ -104,12 +104,13 @@ def _write(session: ConfirmationSession, path: Path, *, countersigning: bool, fo
     import io  # noqa: PLC0415  # likewise
 
     from certkit.bench.result_folder import write_alone  # noqa: PLC0415  # likewise
+    from certkit.exchange.csv_cells import harmless  # noqa: PLC0415  # likewise
 
     held = io.StringIO()
     writer = csv.writer(held, lineterminator="\r\n")
     writer.writerow(HEADS)
     for entry in session.waiting(countersigning=countersigning):
-        writer.writerow([_guarded(cell) for cell in (entry.path, entry.value, entry.source, "", "")])
+        writer.writerow([harmless(cell) for cell in (entry.path, entry.value, entry.source, "", "")])
     write_alone(path, "\ufeff" + held.getvalue(), force=force)
     typer.echo(f"wrote {path}: fill in `answer` (yes, no, or the text's value) and `place`,", err=True)
     typer.echo(f"then: --table {path}", err=True)
@@ -135,11 +136,6 @@ def _take(session: ConfirmationSession, path: Path, *, countersigning: bool) -> 
     except UsageError as error:
         raise UsageError(f"{path}: {error}") from error
     typer.echo(f"{taken} answers taken from {path}", err=True)
-
-
-def _guarded(cell: str) -> str:
-    """Return a cell that no spreadsheet takes for a formula."""
-    return f"'{cell}" if cell[:1] in {"=", "+", "-", "@", "\t"} else cell
 
 
 def _tell(session: ConfirmationSession) -> None:

@@ -65,6 +65,7 @@ def extract(
     """
     from certkit.bench.extract_vehicle import extract as extract_vehicle  # noqa: PLC0415  # numpy waits
     from certkit.bench.render_documents import render, reports_of  # noqa: PLC0415  # likewise
+    from certkit.cli.console import tell  # noqa: PLC0415  # likewise
     from certkit.definitions.loading.overrides import overrides_from  # noqa: PLC0415  # likewise
     from certkit.documents.extraction import ExtractionResult  # noqa: PLC0415  # likewise
 
@@ -80,7 +81,7 @@ def extract(
         name=name,
         overrides=overrides_from(overrides or ()),
         procedure=procedure if checks else None,
-        tell=(lambda _: None) if quiet or as_json else (lambda what: typer.echo(what, err=True)),
+        tell=(lambda _: None) if quiet or as_json else tell,
     )
     closed = result.closed or (result.closed is None and bool(result.checks))
     if not closed and not unclosed:
@@ -91,7 +92,7 @@ def extract(
         wanted,
         force=force,
         numbered=out is None,
-        tell=lambda what: typer.echo(what, err=True),
+        tell=tell,
     )
     target = written[0].parent
     if as_json:

@@ -70,6 +70,11 @@ class Overlay(Part):
     other: Figures
     difference: Figures
 
+    @property
+    def milliseconds(self) -> list[float]:
+        """The time axis, ms."""
+        return [(self.start + k * self.interval) * 1e3 for k in range(len(self.reference))]
+
     @model_validator(mode="after")
     def _fits(self) -> Self:
         """Refuse curves that do not lie on one time axis."""

@@ -11,6 +11,9 @@ from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.rounding import Figure, Points
 from certkit.reasons import Reason
 
+State = Literal["valid", "due", "revoked", "never certified"]
+"""Of one rule, or of a legform by all of them."""
+
 
 class TestLine(Part):
     """One test."""
@@ -28,7 +31,7 @@ class Validity(Part):
 
     rule: Literal["interval", "count", "sequence", "overload"]
     title: str
-    state: Literal["valid", "due", "revoked", "never certified"]
+    state: State
     why: str = ""
     coded_why: Annotated[Reason | None, Field(description="What its state follows from.")] = None
     due: Annotated[str | None, Field(description="Day from which on a certification is due.")] = None
@@ -103,7 +106,7 @@ class LegOverview(OutputDocument):
     rules: str
     certified_by: Annotated[list[str], Field(description="Procedures that the rules ask for.")] = []
     serial_numbers: Annotated[str, Field(description="How serial numbers are told apart.")] = "without case"
-    state: Literal["valid", "due", "revoked", "never certified"]
+    state: State
     tests: list[TestLine]
     counts: Annotated[dict[str, int], Field(description="Tests by procedure.")]
     validity: list[Validity]

@@ -22,7 +22,7 @@ from certkit.exchange.codes import CodeTable, code_table
 from certkit.exchange.conditions import mapped_conditions, together
 from certkit.exchange.csv_table import CsvTable, cut
 from certkit.exchange.data_status import judged
-from certkit.exchange.data_units import any_factor, factor, quantity, table_dimension
+from certkit.exchange.data_units import any_factor, factor, quantity
 from certkit.exchange.leniency import Leniency
 from certkit.exchange.measured import MeasuredData, SourceFile
 from certkit.exchange.samples import read_samples, read_with_gaps
@@ -211,10 +211,10 @@ def _channel(table: CsvTable, kind: ChannelKind, column: Column, values: NDArray
     name = kind.name
     try:
         scale = factor(column.unit, kind)
-        limit = quantity(column.amplitude_class, table_dimension(kind)) if column.amplitude_class else None
+        limit = quantity(column.amplitude_class, kind.dimension.quantity) if column.amplitude_class else None
     except ValueError as error:
         raise DataError(f"{table.head_place}: {name}: {error}; correct the unit") from error
-    _same_unit(table, table.column(column.column), name, table_dimension(kind), column.unit)
+    _same_unit(table, table.column(column.column), name, kind.dimension.quantity, column.unit)
     values = values * (scale * column.sign)
     clipped = find_clipping(values, limit) if limit else None
     if clipped is not None:

@@ -32,11 +32,6 @@ _SPELLINGS = {
 }
 
 
-def table_dimension(kind: ChannelKind) -> str:
-    """Return the key of `UNITS` for a channel."""
-    return kind.dimension.quantity
-
-
 def factor(unit: str, kind: ChannelKind) -> float:
     """Return the factor from `unit` to the channel's SI unit.
 
@@ -45,7 +40,7 @@ def factor(unit: str, kind: ChannelKind) -> float:
     ValueError
         When the unit is unknown or not one of the channel's dimension; says which units would do.
     """
-    dimension = table_dimension(kind)
+    dimension = kind.dimension.quantity
     known = _SPELLINGS.get(unit.strip(), unit.strip())
     try:
         return parse_quantity(f"1 {known}", dimension)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from certkit.errors import DataError
-from certkit.exchange.data_units import factor, table_dimension
+from certkit.exchange.data_units import factor
 from certkit.exchange.mme_checks import check_extremes, data_status, filter_state
 from certkit.exchange.mme_header import Header, read_header
 from certkit.exchange.samples import Lines, read_samples
@@ -247,7 +247,7 @@ def _check_clipping(header: Header, values: NDArray[np.float64], unit: str, kind
     stated = header.find("Channel amplitude class")
     if stated is None:
         return
-    limit = abs(header.quantity(stated, table_dimension(kind), unit))
+    limit = abs(header.quantity(stated, kind.dimension.quantity, unit))
     clipped = find_clipping(values, limit) if limit else None
     if clipped is not None:
         shown = f"{clipped.level / factor(unit, kind):g} {unit}"

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from certkit.exchange.codes import FILTER_OF_LETTER
 from certkit.exchange.data_status import judged
-from certkit.exchange.data_units import factor, table_dimension
+from certkit.exchange.data_units import factor
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -124,6 +124,12 @@ def check_extremes(
     header : Header
     values : ndarray, shape (n,)
         In `unit`, the channel's own.
+    unit : str
+        As the file has it.
+    kind : ChannelKind
+        The channel that the code means.
+    leniency : Leniency
+        What departures do.
 
     Raises
     ------
@@ -138,7 +144,7 @@ def check_extremes(
         stated = header.find(words)
         if stated is None:
             continue
-        value = header.quantity(stated, table_dimension(kind), unit) / factor(unit, kind)
+        value = header.quantity(stated, kind.dimension.quantity, unit) / factor(unit, kind)
         if abs(value - own) > _NEAR * swing:
             leniency.depart(
                 header.at(stated),
@@ -154,6 +160,8 @@ def check_one_object(belongs: Sequence[tuple[str, str, str]], leniency: Leniency
     ----------
     belongs : sequence of (str, str, str)
         Each channel's file, the number of its test object, and the object and position of its code (`D0`).
+    leniency : Leniency
+        What departures do.
 
     Raises
     ------

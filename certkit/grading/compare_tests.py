@@ -48,9 +48,9 @@ def side_by_side(
 
     Parameters
     ----------
-    reference : Test
+    reference : ComparedTest
         What errors and ratings refer to.
-    other : Test
+    other : ComparedTest
         What is compared with it.
     until : float, optional
         End of the comparison, s; the end of the shorter recording when missing.

@@ -34,7 +34,7 @@ class Corridor(Struct, frozen=True):
     ----------
     name : str
         `set/entry`.
-    entry : Window, Polygon or Band
+    entry : ValueWindow, Polygon or Band
     source, confidence : str
         Its origin.
     """

@@ -15,6 +15,7 @@ import numpy as np
 from msgspec import Struct
 
 from certkit.errors import DataError
+from certkit.exchange.fe.integral import running_integral
 from certkit.identification.grouping import GROUND, Graph, Link
 
 if TYPE_CHECKING:
@@ -167,8 +168,7 @@ def _spring_force(link: Link, histories: PartHistories) -> Values:
 
 def _spring_impulse(link: Link, histories: PartHistories, grid: Grid) -> Values:
     force = _spring_force(link, histories)
-    steps = 0.5 * (force[1:] + force[:-1]) * np.diff(histories.time)
-    return grid.resample(np.concatenate([[0.0], np.cumsum(steps)]))
+    return grid.resample(running_integral(force, histories.time))
 
 
 def _incidence(links: list[Link], groups: list[str]) -> Values:

@@ -1,8 +1,7 @@
 """The law of a spring between two groups: loading curve, unloading branch, permanent set, damping.
 
-The same law stands in a vehicle document and is simulated by the mechanics room
-(`certkit.mechanics.vehicle_law`); a test holds the two against each other. For shortening x with largest
-shortening so far xm and Fm = B(xm):
+The same law stands in a vehicle document and is simulated by the mechanics room (`VehicleSpring`); a test
+holds the two against each other. For shortening x with largest shortening so far xm and Fm = B(xm):
 
 - loading (x ≥ xm): F = B(x), piecewise linear, continued with its last slope;
 - unloading and reloading (x < xm): F = max(Fm − k·(xm − x), r·Fm·(x − xs)/(xm − xs), 0), never above B(x),

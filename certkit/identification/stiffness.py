@@ -95,7 +95,7 @@ def fit_law(
 
     Returns
     -------
-    Fit or None
+    SpringFit or None
         None when the path never carries a force or never shortens.
     """
     peak = float(np.max(np.abs(force)))

@@ -8,9 +8,10 @@ from msgspec import Struct
 
 from certkit._version import __version__
 from certkit.documents.legform_certificate import CertifiedTest, LegformCertificate
+from certkit.documents.result import MEASURED
 from certkit.documents.verdicts import worst
 from certkit.errors import DataError
-from certkit.logbooks.logbook_entry import MEASURED, entry_of, serial_key
+from certkit.logbooks.logbook_entry import entry_of, serial_key
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:

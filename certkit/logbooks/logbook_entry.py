@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
+from certkit.documents.result import MEASURED
 from certkit.errors import DataError
 from certkit.logbooks.same_blow import channel_digests
 
@@ -15,9 +16,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from certkit.documents.result import Result
-
-
-MEASURED = "test evaluation"
 
 
 def serial_key(serial: str, *, exact: bool) -> str:

@@ -33,7 +33,7 @@ def trends(entries: Sequence[LogbookEntry], rule: TrendRule) -> list[Trend]:
 
     Parameters
     ----------
-    entries : sequence of Entry
+    entries : sequence of LogbookEntry
         In order.
     rule : TrendRule
         Tests below which neither control limits nor a drift are given; published coefficients of variation.

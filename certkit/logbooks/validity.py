@@ -32,7 +32,7 @@ def validity(rule: Rule, entries: Sequence[LogbookEntry], day: date) -> Validity
     ----------
     rule : Interval, Count, TestSequence or Overload
         The rule.
-    entries : sequence of Entry
+    entries : sequence of LogbookEntry
         One legform's tests, in order.
     day : date
         The day that validity is asked for.

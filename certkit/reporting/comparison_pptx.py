@@ -49,9 +49,7 @@ def comparison_pptx(document: ComparisonDocument) -> bytes:
         )
     for overlay in document.overlays:
         stride = max(1, len(overlay.reference) // MOST_POINTS)
-        times = [
-            1e3 * (overlay.start + i * overlay.interval) for i in range(0, len(overlay.reference), stride)
-        ]
+        times = overlay.milliseconds[::stride]
         curves = {
             document.reference.label: overlay.reference[::stride],
             document.other.label: overlay.other[::stride],

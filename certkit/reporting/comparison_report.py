@@ -99,8 +99,7 @@ def _in_short(document: ComparisonDocument, spoken: Language) -> list[str]:
 
 def _overlay(overlay: Overlay, document: ComparisonDocument, spoken: Language) -> Drawing:
     """Draw both curves and their difference."""
-    count = len(overlay.reference)
-    times = [(overlay.start + i * overlay.interval) * 1e3 for i in range(count)]
+    times = overlay.milliseconds
     lines = [
         (document.reference.label, times, overlay.reference),
         (document.other.label, times, overlay.other),

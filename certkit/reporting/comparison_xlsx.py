@@ -43,9 +43,9 @@ def comparison_xlsx(document: ComparisonDocument) -> bytes:
         book.chart("column", "Error, %", place, [4], titles=("", "%"), at=(1, 6))
     for overlay in document.overlays:
         unit = overlay.unit
-        times = [1e3 * (overlay.start + i * overlay.interval) for i in range(len(overlay.reference))]
         columns = ("time [ms]", f"{document.reference.label} [{unit}]", f"{document.other.label} [{unit}]")
-        curves = list(zip(times, overlay.reference, overlay.other, overlay.difference, strict=True))
+        lines = (overlay.milliseconds, overlay.reference, overlay.other, overlay.difference)
+        curves = list(zip(*lines, strict=True))
         place = book.table(
             f"Curve {overlay.channel}", (*columns, f"difference [{unit}]"), curves, number="0.####"
         )

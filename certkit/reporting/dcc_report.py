@@ -15,6 +15,7 @@ import math
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
 
+from certkit.documents.result import MEASURED
 from certkit.errors import UsageError
 from certkit.plain_text import without_odd_characters
 
@@ -31,7 +32,6 @@ REPEATABLE = True
 
 VERSION = "3.3.0"
 DCC, SI = "https://ptb.de/dcc", "https://ptb.de/si"
-MEASURED = "test evaluation"
 COVERAGE, PROBABILITY = "2", "0.95"
 
 UNITS = {

@@ -12,6 +12,7 @@ from certkit.reporting.charts.run_and_model import moment_peak, view_box
 from certkit.reporting.coupled_check import check_of, check_times, group_of
 from certkit.reporting.language import Translate, english
 from certkit.reporting.number_format import decimals as decimals_of
+from certkit.reporting.number_format import shortened
 from certkit.reporting.page_data import differences
 from certkit.reporting.scales import span, ticks
 
@@ -145,7 +146,7 @@ def _means(times: Sequence[float], values: Sequence[float], frames: Sequence[flo
 def _line(line: MovingLine, worst: str | None, pressed: dict[str, list[float]]) -> dict[str, Any]:
     found: dict[str, Any] = {"name": line.name, "kind": line.kind, "closed": line.closed}
     if line.kind != "leg":
-        found["words"] = line.name if len(line.name) <= LETTERS else f"{line.name[: LETTERS - 1]}…"
+        found["words"] = shortened(line.name, LETTERS)
     first = (line.run or line.model)[0] if line.run or line.model else ()
     if pressed and first:
         found["middle"] = round(0.5 * (first[0][1] + first[-1][1]), 4)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.reporting.channel_names import channel_words
+from certkit.reporting.channel_names import channel_scale, channel_words
 from certkit.reporting.coupled_check import CONTACT, CONTACT_LEFT_OUT, check_of
 from certkit.reporting.number_format import MISSING, fixed, signed
 from certkit.reporting.plaintext import aligned
@@ -65,7 +65,7 @@ def channels_table(result: ExtractionResult) -> str:
 def _table(check: SelfCheck) -> str:
     rows = []
     for channel in sorted(check.channels, key=lambda c: c.name):
-        scale, unit = (1e3, "mm") if channel.name.endswith("CL") else (1.0, "N·m")
+        scale, unit = channel_scale(channel.name)
         rows.append(
             (
                 channel_words(channel.name),

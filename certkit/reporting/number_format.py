@@ -52,6 +52,11 @@ def rest(name: str, title: str) -> str:
     return title[len(name) :].strip() if title.casefold().startswith(name.casefold()) else title
 
 
+def shortened(text: str, most: int) -> str:
+    """Return a text, or as many of its letters as there is room for, with `…` at their end."""
+    return text if len(text) <= most else f"{text[: most - 1]}…"
+
+
 def fixed(value: float | None, decimals: int) -> str:
     """Write a number with so many decimals and a true minus sign."""
     if value is None or not math.isfinite(value):

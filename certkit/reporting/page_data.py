@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 from certkit.reporting import number_format as words
 from certkit.reporting.channel_order import ordered_channels
-from certkit.reporting.charts.channel_history import history_frame, times
+from certkit.reporting.charts.channel_history import history_frame
 from certkit.reporting.charts.motion_frames import FILL, bounds, largest_moment
 from certkit.reporting.criterion_row import slug
 
 if TYPE_CHECKING:
     from certkit.documents.result import Result
-    from certkit.documents.rig_motion import Motion
+    from certkit.documents.rig_motion import Motion, Shape
 
 MOST_FRAMES = 120
 POSE_UNIT = 1e-4
@@ -58,7 +58,7 @@ def _channels(result: Result) -> list[dict[str, Any]]:
     curves = result.curves
     if curves is None:
         return []
-    axis = times(curves)
+    axis = curves.milliseconds
     found = []
     for name, criterion in ordered_channels(result).items():
         series = curves.series[name]
@@ -97,27 +97,20 @@ def _motion(motion: Motion) -> dict[str, Any]:
         "unit": POSE_UNIT,
         "times": [round(motion.times[f] * 1e3, 4) for f in kept],
         "box": list(bounds(motion)),
-        "shapes": [
-            {
-                "name": s.name,
-                "kind": s.kind,
-                "closed": s.closed,
-                "outline": [[round(x, 5), round(z, 5)] for x, z in s.outline],
-            }
-            for s in motion.shapes
-        ],
-        "scene": [
-            {
-                "name": s.name,
-                "kind": s.kind,
-                "closed": s.closed,
-                "outline": [[round(x, 5), round(z, 5)] for x, z in s.outline],
-            }
-            for s in motion.scene
-        ],
+        "shapes": [_shape(shape) for shape in motion.shapes],
+        "scene": [_shape(shape) for shape in motion.scene],
         "fill": FILL,
         "joints": motion.joints,
         "moments": [[round(v, 1) for v in motion.moments[f]] for f in kept] if motion.moments else [],
         "peak": peak,
         "poses": [differences(differences([round(v / POSE_UNIT) for v in column])) for column in columns],
+    }
+
+
+def _shape(shape: Shape) -> dict[str, Any]:
+    return {
+        "name": shape.name,
+        "kind": shape.kind,
+        "closed": shape.closed,
+        "outline": [[round(x, 5), round(z, 5)] for x, z in shape.outline],
     }

@@ -64,7 +64,7 @@ def _result(deck: SlideDeck, view: View) -> None:
 
 def curve_slides(deck: SlideDeck, title: str, curves: Histories) -> None:
     """Add a chart a unit, with fewer points that keep the extremes of every channel."""
-    times = [1e3 * (curves.start + i * curves.interval) for i in range(curves.count)]
+    times = curves.milliseconds
     units: dict[str, list[str]] = {}
     for name, series in curves.series.items():
         units.setdefault(series.unit, []).append(name)

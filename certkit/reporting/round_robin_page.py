@@ -11,9 +11,8 @@ from certkit.reporting.plaintext import aligned
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from certkit.documents.round_robin_report import CriterionPrecision, RoundRobinReport
+    from certkit.reporting.language import Translate
 
 QUESTIONABLE, TOO_FAR = 2.0, 3.0
 """|z| from which a result is a warning, and an action signal (ISO 13528:2022, 9.4.2)."""
@@ -48,9 +47,7 @@ def round_robin_page(document: RoundRobinReport, spoken: str = ENGLISH) -> str:
     )
 
 
-def _score(
-    criterion: CriterionPrecision, laboratory: str, t: Callable[..., str]
-) -> tuple[float | None, str, str]:
+def _score(criterion: CriterionPrecision, laboratory: str, t: Translate) -> tuple[float | None, str, str]:
     """Return z of a laboratory, the verdict whose colour it takes, and the outlier tests it fell in."""
     row = next((row for row in criterion.rows if row.laboratory == laboratory), None)
     if row is None or row.z is None:

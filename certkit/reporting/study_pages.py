@@ -14,12 +14,11 @@ from certkit.reporting.number_format import plain, significant
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from certkit.documents.calibration_report import CalibrationReport
     from certkit.documents.optimum_report import OptimumReport
     from certkit.documents.rounding import FigureOrWord
     from certkit.documents.study_report import Cloud, StudyReport, VariedParameter
+    from certkit.reporting.language import Translate
     from certkit.reporting.svg import Drawing
 
 
@@ -38,7 +37,7 @@ def study_page(document: StudyReport, spoken: str = ENGLISH) -> str:
     )
 
 
-def _in_short(document: StudyReport, t: Callable[..., str]) -> list[str]:
+def _in_short(document: StudyReport, t: Translate) -> list[str]:
     """Say how many runs keep every limit, what leaves its corridor first, and what is not known."""
     if not document.chances:
         return []
@@ -83,7 +82,7 @@ def _overview(document: StudyReport) -> dict[str, Any]:
     return {"heads": heads, "rows": rows}
 
 
-def _section(document: StudyReport, output: str, t: Callable[..., str]) -> dict[str, Any]:
+def _section(document: StudyReport, output: str, t: Translate) -> dict[str, Any]:
     unit = document.output_units.get(output, "")
     effects = [effect for effect in document.effects if effect.output == output]
     rows = [(effect.factor, effect.effect, effect.lower, effect.upper) for effect in effects]
@@ -112,7 +111,7 @@ def _cloud(cloud: Cloud, title: str, units: dict[str, str]) -> Drawing:
     return dots(cloud.x, cloud.y, title, axes, cloud.line)
 
 
-def _range(factor: VariedParameter, t: Callable[..., str]) -> dict[str, str]:
+def _range(factor: VariedParameter, t: Translate) -> dict[str, str]:
     """Say how a factor varies, in words."""
     if factor.entries is not None:
         words = ", ".join(_quantity(entry, factor.unit) for entry in factor.entries)

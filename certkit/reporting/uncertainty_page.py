@@ -11,9 +11,8 @@ from certkit.reporting.plaintext import aligned
 from certkit.reporting.static_page import static_page
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from certkit.documents.uncertainty_report import CriterionUncertainty, UncertaintyReport
+    from certkit.reporting.language import Translate
 
 
 def uncertainty_page(document: UncertaintyReport, spoken: str = ENGLISH) -> str:
@@ -26,7 +25,7 @@ def uncertainty_page(document: UncertaintyReport, spoken: str = ENGLISH) -> str:
     )
 
 
-def advice(each: CriterionUncertainty, t: Callable[..., str]) -> str:
+def advice(each: CriterionUncertainty, t: Translate) -> str:
     """Return what to do about a criterion's uncertainty; empty where nothing has to be done."""
     if not each.tighten:
         return ""

@@ -62,7 +62,7 @@ def _words(name: str, t: Translate) -> str:
 
 
 def _over_time(histories: Histories, title: str, t: Translate) -> Drawing:
-    axis = [(histories.start + k * histories.interval) * 1e3 for k in range(histories.count)]
+    axis = histories.milliseconds
     lines = [(_words(s.title, t), axis, s.values) for s in histories.series.values()]
     unit = next(iter(histories.series.values())).unit
     return lines_chart(lines, title, "ms", unit)

@@ -73,7 +73,7 @@ def curves_sheet(book: SheetBook, name: str, curves: Histories) -> None:
     """Write channels over time, with a chart a unit."""
     heads = ["time [ms]", *(f"{key} [{series.unit}]" for key, series in curves.series.items())]
     columns = [series.values for series in curves.series.values()]
-    times = [1e3 * (curves.start + i * curves.interval) for i in range(curves.count)]
+    times = curves.milliseconds
     rows = [[times[i], *(values[i] for values in columns)] for i in range(curves.count)]
     place = book.table(name, heads, rows, number="0.####")
     units: dict[str, list[int]] = {}

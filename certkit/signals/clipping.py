@@ -91,8 +91,8 @@ def find_clippings(
     sides: list[tuple[int, float, float]] = []
     for row, limit in enumerate(amplitude_classes):
         if limit is not None:
-            stopped = AT_CLASS * limit <= largest[row] <= limit / AT_CLASS
-            found[row] = _at_limit(rows[row], limit) if stopped else None
+            if AT_CLASS * limit <= largest[row] <= limit / AT_CLASS:
+                found[row] = _two_neighbours(rows[row], np.abs(rows[row]) >= AT_CLASS * limit)
             if found[row] is not None or largest[row] < SMALL * limit:
                 continue
         sides += [
@@ -126,18 +126,13 @@ def beyond_class(values: NDArray[np.float64], limit: float) -> Clipping | None:
     limit : float
         The amplitude class, in the unit of the values.
     """
-    size = np.abs(values)
-    over = size > limit / AT_CLASS
-    both = np.flatnonzero(over[1:] & over[:-1])
-    return Clipping(float(values[np.argmax(size)]), int(both[0])) if both.size else None
+    return _two_neighbours(values, np.abs(values) > limit / AT_CLASS)
 
 
-def _at_limit(values: NDArray[np.float64], limit: float) -> Clipping | None:
-    """Return where two neighbouring samples reach the amplitude class."""
-    size = np.abs(values)
-    over = size >= AT_CLASS * limit
-    both = np.flatnonzero(over[1:] & over[:-1])
-    return Clipping(float(values[np.argmax(size)]), int(both[0])) if both.size else None
+def _two_neighbours(values: NDArray[np.float64], chosen: NDArray[np.bool_]) -> Clipping | None:
+    """Return the largest value, and the first of two neighbouring samples that were chosen."""
+    both = np.flatnonzero(chosen[1:] & chosen[:-1])
+    return Clipping(float(values[np.abs(values).argmax()]), int(both[0])) if both.size else None
 
 
 def _bands(rows: NDArray[np.float64], swings: NDArray[np.float64]) -> NDArray[np.float64]:

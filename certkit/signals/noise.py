@@ -41,7 +41,7 @@ def free_flight(recording: Recording) -> FreeFlightNoise | None:
 
     Returns
     -------
-    FreeFlight or None
+    FreeFlightNoise or None
         None when less than the whole window was recorded, or no tibia moment that is finite there. A
         finite-element run begins shortly before contact; all that it has of the window counts.
     """

@@ -8,7 +8,7 @@ from pydantic import BaseModel
 
 from certkit.definitions.base import Sourced, words
 from certkit.definitions.loading.field_types import axes_of
-from certkit.definitions.loading.parameter_list import parameters
+from certkit.definitions.loading.parameter_list import joined, parameters, word_of
 from certkit.definitions.provenance import Number
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def _confirmed(given: Any, path: str, sources: dict[str, str]) -> Any:  # noqa: 
     elif isinstance(given, BaseModel):
         found = _confirmed_fields(given, path, sources)
     elif isinstance(given, dict):
-        found = {key: _confirmed(entry, _join(path, str(key)), sources) for key, entry in given.items()}
+        found = {key: _confirmed(entry, joined(path, str(key)), sources) for key, entry in given.items()}
     elif isinstance(given, (list, tuple)):
         found = _confirmed_list(given, path, sources)
     else:
@@ -64,7 +64,7 @@ def _confirmed(given: Any, path: str, sources: dict[str, str]) -> Any:  # noqa: 
 
 def _confirmed_lines(given: Sourced, path: str, sources: dict[str, str]) -> Sourced:
     """Return a corridor, limit or rule as confirmed when all of its numbers are."""
-    found = [sources.get(_join(path, key)) for key in given.lines()]
+    found = [sources.get(joined(path, key)) for key in given.lines()]
     whole = [source for source in found if source is not None]
     if not found or len(whole) < len(found):
         return given
@@ -76,15 +76,16 @@ def _confirmed_list(
 ) -> list[Any] | tuple[Any, ...]:
     if path in sources:  # a curve is one number of the list
         return type(given)(tuple(_sourced(n, sources[path]) for n in point) for point in given)
-    names = [str(getattr(e, "id", None) or getattr(e, "quantity", n)) for n, e in enumerate(given, 1)]
-    pairs = zip(names, given, strict=True)
-    return type(given)(_confirmed(entry, _join(path, name), sources) for name, entry in pairs)
+    return type(given)(
+        _confirmed(entry, joined(path, word_of(entry, number)), sources)
+        for number, entry in enumerate(given, 1)
+    )
 
 
 def _confirmed_fields(given: BaseModel, path: str, sources: dict[str, str]) -> BaseModel:
     changed = {}
     for name, info in type(given).model_fields.items():
-        entry, place = getattr(given, name), _join(path, info.alias or words(name))
+        entry, place = getattr(given, name), joined(path, info.alias or words(name))
         axes = axes_of(info.metadata)
         if axes and entry is not None:
             parts = zip(axes, entry, strict=True)
@@ -98,7 +99,3 @@ def _confirmed_fields(given: BaseModel, path: str, sources: dict[str, str]) -> B
 
 def _sourced(number: Number, source: str) -> Number:
     return Number(float(number), number.text, source, "verified")
-
-
-def _join(path: str, key: str) -> str:
-    return ".".join(part for part in (path, key) if part)

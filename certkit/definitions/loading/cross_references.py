@@ -23,8 +23,6 @@ if TYPE_CHECKING:
     from certkit.definitions.procedure import Criterion, Procedure
     from certkit.errors import Problem
 
-_WORDS = {ValueWindow: "window", Polygon: "polygon", Band: "band"}
-
 
 def disagreements(procedure: Procedure, tree: Tree, library: Library = ()) -> list[Problem]:
     """Find what a procedure names and cannot use.
@@ -97,7 +95,7 @@ def _unfit(
         return
     wanted = MEASURES[criterion.measure].corridor
     if not isinstance(corridor, wanted):
-        yield f"is a {_WORDS[type(corridor)]}, but `{criterion.measure}` is held against a {_WORDS[wanted]}"
+        yield f"is a {corridor.noun}, but `{criterion.measure}` is held against a {wanted.noun}"
     elif isinstance(corridor, Polygon):
         for axis in ("x", "y"):
             drawn, asked = (channels.find(getattr(side, axis, "")) for side in (criterion.curve, corridor))

@@ -59,14 +59,14 @@ def _walk(given: object, path: str) -> Iterator[ListedParameter]:
         yield ListedParameter(path, given.text, given.source, given.confidence)
     elif isinstance(given, Sourced) and given.source is not None and given.confidence is not None:
         for key, line in given.lines().items():
-            yield ListedParameter(_join(path, key), line, given.source, given.confidence)
+            yield ListedParameter(joined(path, key), line, given.source, given.confidence)
     elif curve := _curve(given):
         first, last = curve[0], curve[-1]
         ends = " to ".join(f"({', '.join(n.text for n in point)})" for point in (first, last))
         yield ListedParameter(path, f"{len(curve)} points from {ends}", first[0].source, first[0].confidence)
     else:
         for key, entry in _entries(given):
-            yield from _walk(entry, _join(path, key))
+            yield from _walk(entry, joined(path, key))
 
 
 def _entries(given: object) -> Iterator[tuple[str, object]]:
@@ -84,7 +84,7 @@ def _entries(given: object) -> Iterator[tuple[str, object]]:
             yield str(key), entry
     elif isinstance(given, (list, tuple)):
         for index, entry in enumerate(given, 1):
-            yield str(getattr(entry, "id", None) or getattr(entry, "quantity", index)), entry
+            yield word_of(entry, index), entry
 
 
 def _curve(given: object) -> list[tuple[Number, ...]]:
@@ -96,5 +96,11 @@ def _curve(given: object) -> list[tuple[Number, ...]]:
     return points if whole else []
 
 
-def _join(path: str, key: str) -> str:
+def word_of(entry: object, number: int) -> str:
+    """Return the word that an entry of a list is found under: its id or quantity, else its number, from 1."""
+    return str(getattr(entry, "id", None) or getattr(entry, "quantity", number))
+
+
+def joined(path: str, key: str) -> str:
+    """Return the path of what stands at a path under a key."""
     return ".".join(part for part in (path, key) if part)

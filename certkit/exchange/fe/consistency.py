@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import DataError
+from certkit.exchange.fe.integral import running_integral
 
 if TYPE_CHECKING:
     from certkit.exchange.fe.radioss_channels import Channels
@@ -83,8 +84,7 @@ def _require_motion(channels: Channels) -> None:
     largest = max((float(np.abs(v["DX"]).max()) for v in moving.values()), default=0.0)
     for name, variables in moving.items():
         moved, velocity = variables["DX"] - variables["DX"][0], variables["VX"]
-        steps = 0.5 * (velocity[1:] + velocity[:-1]) * np.diff(channels.time)
-        off = np.abs(moved - np.concatenate([[0.0], np.cumsum(steps)]))
+        off = np.abs(moved - running_integral(velocity, channels.time))
         near = _MOTION * (largest + float(np.abs(moved).max()))
         if np.any(off > near):
             row = int(np.argmax(off > near)) + 1

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from certkit.errors import DataError
+from certkit.exchange.fe.integral import running_integral
 
 if TYPE_CHECKING:
     from certkit.exchange.fe.histories import PartHistories
@@ -62,8 +63,7 @@ def require_plausible(histories: PartHistories) -> None:
                 f"{histories.source}: part `{name}` moves at up to {fastest:.0f} m/s by its momentum and "
                 "mass; correct `units`, the unit of its column, or its mass"
             )
-        steps = 0.5 * (speed[1:] + speed[:-1]) * np.diff(histories.time)
-        by_momentum[name] = np.concatenate([[0.0], np.cumsum(steps)])
+        by_momentum[name] = running_integral(speed, histories.time)
     largest = max((float(np.abs(x).max()) for x in (*moved.values(), *by_momentum.values())), default=0.0)
     for name, found in moved.items():
         told, wanted = float(np.abs(found).max()), float(np.abs(by_momentum[name]).max())

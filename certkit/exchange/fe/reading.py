@@ -5,12 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
 from msgspec import Struct
 from msgspec.structs import replace
 
 from certkit.errors import DataError
 from certkit.exchange.fe.faces import Face, read_faces
+from certkit.exchange.fe.integral import running_integral
 from certkit.exchange.fe.node_motion import FOUND_BY_NAME, NodeMotion, read_node_motion
 from certkit.exchange.fe.plausible_motion import require_plausible
 from certkit.exchange.fe.readers import read_format
@@ -44,7 +44,7 @@ def read_case_data(section: HistoryFiles, folder: Path) -> FrontData:
 
     Parameters
     ----------
-    section : Histories
+    section : HistoryFiles
         What the case says about its files.
     folder : Path
         The folder that the files lie in; nothing outside it is read.
@@ -109,8 +109,7 @@ def _with_momentum(part: PartHistory, time: Values) -> PartHistory:
     """Take momentum and displacement from a part's velocity where the file has those not."""
     if part.velocity is None or part.mass is None:
         return part
-    steps = 0.5 * (part.velocity[1:] + part.velocity[:-1]) * np.diff(time)
-    moved = np.concatenate([[0.0], np.cumsum(steps)])
+    moved = running_integral(part.velocity, time)
     return replace(
         part,
         momentum=part.mass * part.velocity,

@@ -45,6 +45,10 @@ def moment_at(leg: Leg, readings: Mapping[str, Floats], height: float, part: str
 
     Parameters
     ----------
+    leg : Leg
+        Its joints have the gauges.
+    readings : mapping of str to ndarray, shape (samples,)
+        Moment of each joint, N·m, by `joint ROW`.
     height : float
         Above the knee centre, m.
     part : str

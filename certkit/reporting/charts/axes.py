@@ -56,10 +56,11 @@ class Frame(Struct, frozen=True):
         """Return where a point lies on the picture."""
         return self.x(x), self.y(y)
 
-    def axes(self, title: str, x_title: str, y_unit: str) -> str:
+    def axes(self, title: str, x_title: str, y_unit: str, *, numbered: bool = True) -> str:
         """Draw the grid, the zero line, both axes' ticks and the titles.
 
-        A short title of the abscissa (a unit) stands in line with its ticks, a long one below them.
+        A short title of the abscissa (a unit) stands in line with its ticks, a long one below them. An
+        abscissa that is not `numbered` has no ticks.
         """
         # Like marks share one path and one group: a suite has a hundred plots, and so each byte counts.
         heights = ticks(self.y.low, self.y.high, 6)
@@ -73,9 +74,9 @@ class Frame(Struct, frozen=True):
         marks = "".join(f"M{number(self.x(v))} {number(self.bottom)}v4" for v in places)
         numbers = "".join(label(self.x(v), self.bottom + 15, plain(v)) for v in places)
         marked = tag("path", d=marks, stroke=palette.MUTED, class_="zero") if marks else ""
-        drawn.append(
-            tag("g", marked + numbers, class_="xticks tick", fill=palette.MUTED, text_anchor="middle")
-        )
+        if numbered:
+            ticked = marked + numbers
+            drawn.append(tag("g", ticked, class_="xticks tick", fill=palette.MUTED, text_anchor="middle"))
         drawn.append(self._rule(self.bottom, 1.0))
         drawn.append(label(6, 14, title, font_weight="600", class_="title"))
         drawn.append(label(self.right, 14, y_unit, text_anchor="end", fill=palette.MUTED, class_="tick unit"))

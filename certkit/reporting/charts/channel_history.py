@@ -17,11 +17,6 @@ if TYPE_CHECKING:
     from certkit.reporting.language import Translate
 
 
-def times(histories: Histories) -> list[float]:
-    """Return the shared time axis in milliseconds."""
-    return [(histories.start + index * histories.interval) * 1e3 for index in range(histories.count)]
-
-
 def peak_of(criterion: CriterionResult, series: Series, axis: list[float]) -> tuple[float, float] | None:
     """Return where a criterion's value lies on its curve, (ms, value with the curve's sign)."""
     if criterion.value is None or criterion.time is None or not axis:
@@ -65,7 +60,7 @@ def history_chart(
 ) -> Drawing:
     """Draw one channel of `histories`; with a criterion also its corridor and peak."""
     series = histories.series[name]
-    axis = times(histories)
+    axis = histories.milliseconds
     frame, peak, limits = history_frame(series, axis, criterion)
     shade = _band(frame, criterion, limits)
     head = _head(criterion, series.unit, t) if peak else series.unit

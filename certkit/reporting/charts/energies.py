@@ -27,7 +27,7 @@ def energies_chart(energies: Histories, *, t: Translate = english) -> Drawing | 
     """Draw where the energy went; forms that stay under a hundredth of the largest are named, not drawn."""
     if energies.count < 2 or not energies.series:
         return None
-    axis = [(energies.start + index * energies.interval) * 1e3 for index in range(energies.count)]
+    axis = energies.milliseconds
     sizes = {
         name: max((abs(v) for v in series.values), default=0.0) for name, series in energies.series.items()
     }

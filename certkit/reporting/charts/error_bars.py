@@ -40,8 +40,7 @@ def errors_chart(comparison: Comparison, *, t: Translate = english) -> Drawing:
     frame = Frame.around(
         (0, len(rows)), (low - (room if low < 0 else 0), high + room), width=WIDTH, height=HEIGHT
     )
-    # Channel names stand where ticks would: an axis without numbers.
-    drawn = _strip_ticks(frame.axes(t("Peaks"), "", rows[0].unit if rows else ""))
+    drawn = frame.axes(t("Peaks"), "", rows[0].unit if rows else "", numbered=False)
     published = any(r.published is not None for r in rows)
     shown = _FILLS if published else _FILLS[:2]
     bar = 0.72 / len(shown)
@@ -76,9 +75,3 @@ def errors_chart(comparison: Comparison, *, t: Translate = english) -> Drawing:
         drawn += label(left + 16, 14, name, class_="key")
         left += 16 + 6.4 * len(name) + 16
     return Drawing(WIDTH, HEIGHT, drawn, t("Peaks of test and simulation, channel by channel"))
-
-
-def _strip_ticks(axes: str) -> str:
-    start = axes.index('<g class="xticks')
-    end = axes.index("</g>", start) + len("</g>")
-    return axes[:start] + axes[end:]

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
+from certkit.reporting.number_format import shortened
+
 if TYPE_CHECKING:
     from certkit.documents.extraction import ExtractionResult
     from certkit.reporting.scales import Scale
@@ -81,4 +83,4 @@ def _heights(result: ExtractionResult) -> dict[str, float]:
 
 def short(name: str) -> str:
     """Return a name as it fits in the sketch."""
-    return name if len(name) <= LETTERS else f"{name[: LETTERS - 1]}…"
+    return shortened(name, LETTERS)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.reporting.channel_order import ordered_channels
-from certkit.reporting.charts.channel_history import history_chart, times
+from certkit.reporting.charts.channel_history import history_chart
 from certkit.reporting.charts.chosen import chosen
 from certkit.reporting.charts.grid import together
 from certkit.reporting.charts.lines import lines_chart
@@ -37,8 +37,8 @@ def draw_beside(result: Result, beside: Result, names: Sequence[str]) -> Drawing
     for name in chosen(names, [name for name in ordered_channels(result) if name in second.series]):
         one = first.series[name]
         lines = [
-            (result.procedure, times(first), one.values),
-            (other, times(second), second.series[name].values),
+            (result.procedure, first.milliseconds, one.values),
+            (other, second.milliseconds, second.series[name].values),
         ]
         drawn.append(lines_chart(lines, name, "ms", one.unit, width=360, height=210))
     return together(drawn, f"{result.title} and {beside.title}")

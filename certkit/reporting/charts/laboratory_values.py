@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
-from certkit.reporting.number_format import named, plain, shown
+from certkit.reporting.number_format import named, plain, shortened, shown
 from certkit.reporting.scales import Scale, span, ticks
 from certkit.reporting.svg import Drawing, label, path, tag
 from certkit.reporting.translated_titles import title_in
@@ -87,5 +87,5 @@ def _laboratory(row: LaboratoryRow, place: float, step: float, y: Scale) -> str:
     ends = [(place - _MEAN_HALF_WIDTH, y(row.mean)), (place + _MEAN_HALF_WIDTH, y(row.mean))]
     drawn += tag("path", d=path(ends), stroke=palette.INK, stroke_width=1.6, fill="none", class_="curve mean")
     most = max(3, int(step / 6))
-    name = row.laboratory if len(row.laboratory) <= most else row.laboratory[: most - 1] + "…"
+    name = shortened(row.laboratory, most)
     return drawn + label(place, HEIGHT - 14, name, text_anchor="middle", fill=palette.MUTED, class_="tick")

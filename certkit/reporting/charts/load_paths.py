@@ -106,9 +106,15 @@ def _sketch(
             words += _number((at[0], at[1] + 13) if beside else at, value, taken)
             said.append(f"{path.name} {plain(value, 3)}")
     leg = tag(
-        "rect", x=LEG - 6, y=TOP - 8, width=12, height=HEIGHT - BOTTOM - TOP + 8, rx=5, class_="leg-bar"
+        "rect",
+        fill=palette.LINE,
+        x=LEG - 6,
+        y=TOP - 8,
+        width=12,
+        height=HEIGHT - BOTTOM - TOP + 8,
+        rx=5,
+        class_="leg-bar",
     )
-    leg = leg.replace("<rect", f'<rect fill="{palette.LINE}"', 1)
     wall = f"M{number(GROUND)} {number(TOP)}V{number(HEIGHT - BOTTOM)}"
     drawn += bands + leg + tag("path", d=wall, stroke=palette.MUTED, stroke_width=3, class_="zero")
     hit = next((group.name for group in result.groups if group.kind == "impactor"), "leg")

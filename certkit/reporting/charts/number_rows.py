@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
+from certkit.reporting.number_format import shortened
 from certkit.reporting.svg import Drawing, label, tag
 
 if TYPE_CHECKING:
@@ -47,14 +48,10 @@ def number_rows(rows: Sequence[tuple[str, str, str, int]], word: Callable[[str],
         for place, (name, value, confidence, source) in enumerate(some):
             y = HEIGHT * place + 12
             # With a space behind each: whoever copies the text, or has it read aloud, gets words apart.
-            drawn += label(0, y, f"{_short(name, LONGEST_NAME)} ")
-            drawn += label(VALUE, y, f"{_short(value, LONGEST_VALUE)} ", text_anchor="end")
+            drawn += label(0, y, f"{shortened(name, LONGEST_NAME)} ")
+            drawn += label(VALUE, y, f"{shortened(value, LONGEST_VALUE)} ", text_anchor="end")
             drawn += label(ORIGIN, y, f"{word(confidence)} [{source}] ")
         said = "; ".join(f"{name} {value}" for name, value, *_ in some)
         yield Drawing(
             WIDTH, HEIGHT * len(some), tag("g", drawn, font_size=SIZE), said, css_class="rows", role="text"
         )
-
-
-def _short(text: str, most: int) -> str:
-    return text if len(text) <= most else f"{text[: most - 1]}…"

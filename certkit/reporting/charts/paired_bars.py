@@ -8,7 +8,7 @@ from certkit.reporting import palette
 from certkit.reporting.charts.grid import together
 from certkit.reporting.coupled_check import check_of
 from certkit.reporting.language import Translate, english
-from certkit.reporting.number_format import plain
+from certkit.reporting.number_format import plain, shortened
 from certkit.reporting.scales import Scale, span, ticks
 from certkit.reporting.svg import Drawing, label, number, tag
 
@@ -82,7 +82,7 @@ def paired_bars(rows: Sequence[Row], title: str, unit: str, t: Translate = engli
         drawn += label(
             left - 8,
             y + BAR + 5,
-            name if len(name) <= LETTERS else f"{name[: LETTERS - 1]}…",
+            shortened(name, LETTERS),
             text_anchor="end",
             class_="key",
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
-from certkit.reporting.charts.channel_history import limits_of, peak_of, times
+from certkit.reporting.charts.channel_history import limits_of, peak_of
 from certkit.reporting.scales import Scale, span, thinned
 from certkit.reporting.svg import Drawing, path, tag
 
@@ -24,7 +24,7 @@ def sparkline(result: Result, criterion: CriterionResult | None) -> Drawing | No
     if result.curves is None or criterion.channel not in result.curves.series:
         return None
     series = result.curves.series[criterion.channel]
-    axis = times(result.curves)
+    axis = result.curves.milliseconds
     peak = peak_of(criterion, series, axis)
     points = thinned(list(zip(axis, series.values, strict=False)), 80)
     return _draw(points, limits_of(criterion, peak), peak, criterion)

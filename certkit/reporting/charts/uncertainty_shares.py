@@ -9,9 +9,8 @@ from certkit.reporting.number_format import significant
 from certkit.reporting.svg import Drawing, label, tag
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from certkit.documents.uncertainty_report import UncertaintyReport
+    from certkit.reporting.language import Translate
 
 WIDTH = 820.0
 _ROW, _TOP, _LEFT, _RIGHT = 26.0, 12.0, 70.0, 130.0
@@ -21,7 +20,7 @@ _LEAST_LABEL = 0.06
 """Share of the bar from which its percentage is written into it."""
 
 
-def uncertainty_shares_chart(document: UncertaintyReport, t: Callable[..., str]) -> Drawing:
+def uncertainty_shares_chart(document: UncertaintyReport, t: Translate) -> Drawing:
     """Draw one bar of 100 % a criterion, cut by source in one order; U stands at its end."""
     names = list(dict.fromkeys(line.name for each in document.criteria for line in each.lines))
     length = WIDTH - _LEFT - _RIGHT

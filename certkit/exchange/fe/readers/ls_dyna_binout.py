@@ -23,6 +23,7 @@ from certkit.exchange.fe.histories import (
     match_one,
     parse_units,
 )
+from certkit.exchange.fe.integral import running_integral
 from certkit.exchange.fe.run_binout import BinoutRun
 
 if TYPE_CHECKING:
@@ -178,9 +179,7 @@ def _parts(
         momentum = None if direct is None else direct[:, k]
         if m is not None and (momentum is None or (name in rigid_bodies and not np.any(momentum))):
             momentum = m * velocity[:, k]
-        steps = 0.5 * (velocity[1:, k] + velocity[:-1, k]) * np.diff(time)
-        moved = np.concatenate([[0.0], np.cumsum(steps)])
-        parts[name] = PartHistory(m, momentum, moved, id=ids[k])
+        parts[name] = PartHistory(m, momentum, running_integral(velocity[:, k], time), id=ids[k])
     return parts
 
 
@@ -192,7 +191,6 @@ def _contacts(binout: BinoutTables, time: Values, units: Units) -> dict[str, Con
     for k, name in enumerate(names):
         if name in contacts:  # the other side of the same contact
             continue
-        steps = 0.5 * (force[1:, k] + force[:-1, k]) * np.diff(at)
-        impulse = np.concatenate([[0.0], np.cumsum(steps)])
+        impulse = running_integral(force[:, k], at)
         contacts[name] = ContactHistory(np.interp(time, at, impulse), np.interp(time, at, force[:, k]))
     return contacts

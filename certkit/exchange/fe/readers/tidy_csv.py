@@ -8,6 +8,7 @@ import numpy as np
 
 from certkit.errors import DataError
 from certkit.exchange.fe.histories import ContactHistory, PartHistories, PartHistory, SpringHistory, match_one
+from certkit.exchange.fe.integral import running_integral
 from certkit.exchange.fe.numeric_table import read_table
 from certkit.exchange.fe.run_tidy import TidyRun
 from certkit.exchange.fe.unit_suffixes import SUFFIXES, time_axis
@@ -107,8 +108,7 @@ def _contact(spec: ContactColumns, star: str, columns: _Columns) -> ContactHisto
     force = columns.get(spec.force, star, "force")
     if spec.impulse is not None or force is None:
         return ContactHistory(columns.require(spec.impulse or spec.force or "", star, "momentum"), force)
-    steps = 0.5 * (force[1:] + force[:-1]) * np.diff(columns.time)
-    return ContactHistory(np.concatenate([[0.0], np.cumsum(steps)]), force)
+    return ContactHistory(running_integral(force, columns.time), force)
 
 
 def _notes(section: HistoryFiles) -> tuple[str, ...]:
