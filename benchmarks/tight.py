@@ -37,7 +37,7 @@ def tight_chain(
 
 
 @njit(cache=True, error_model="numpy")
-def _march(pose, rate, mass, inertia, up, down, stiffness, damping, step, every, out):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, PLR0913, PLR0917  # compiled
+def _march(pose, rate, mass, inertia, up, down, stiffness, damping, step, every, out):  # noqa: ANN001, ANN202, PLR0913, PLR0917  # compiled
     n = mass.shape[0]
     last = rate.copy()
     moment = np.zeros(n - 1)
@@ -89,7 +89,7 @@ def _march(pose, rate, mass, inertia, up, down, stiffness, damping, step, every,
 
 
 @njit(inline="always")
-def _push(rate, mass, inertia, arms, j, px, pz):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202  # compiled
+def _push(rate, mass, inertia, arms, j, px, pz):  # noqa: ANN001, ANN202  # compiled
     ax, az, bx, bz = arms[j]
     rate[j, 0] -= px / mass[j]
     rate[j, 1] -= pz / mass[j]

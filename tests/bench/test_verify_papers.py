@@ -153,4 +153,4 @@ def test_quick_leaves_the_simulation_out_and_says_so(bending: Result, tmp_path: 
     done = CliRunner().invoke(whole_app(), ["verify", "--quick", str(path)])
     assert done.exit_code == 0
     assert "– reproduction: left out by --quick" in done.stdout
-    assert "verdict not evaluated" in done.stdout or f"verdict {bending.verdict}" in done.stdout
+    assert f"verdict {bending.verdict}" in done.stdout

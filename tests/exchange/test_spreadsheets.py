@@ -147,7 +147,7 @@ def test_a_unit_of_the_table_that_the_mapping_denies_is_an_error(units: str, pla
 def test_lines_above_the_heads_count_with_a_mapping_too(table: Path):
     rows = ["# kind: simulated", "# filter T1: CFC 180", *bare(table)]
     table.write_text("\n".join(rows), encoding="utf-8")
-    own = {**SHEET["csv"], "head": 3}  # type: ignore[dict-item]
+    own = {**SHEET["csv"], "head": 3}
     with pytest.raises(DataError, match=r"leg\.csv:2: T1 was filtered with CFC 180, the mapping says none"):
         read_recording(table, Mapping.model_validate({**SHEET, "csv": own}))
     own["columns"] = {**own["columns"], "T1": {"column": "T1", "unit": "N·m", "filter": "CFC 180"}}

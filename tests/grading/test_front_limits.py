@@ -26,7 +26,7 @@ FRONT = {
 
 def made(groups: dict[str, Overrides] | None = None, springs: dict[str, Overrides] | None = None) -> Vehicle:
     def merged(key: str, changes: dict[str, Overrides] | None) -> dict[str, object]:
-        found: dict[str, dict[str, object]] = FRONT[key]  # type: ignore[assignment]
+        found: dict[str, dict[str, object]] = FRONT[key]
         return {name: {**part, **(changes or {}).get(name, {})} for name, part in found.items()}
 
     return Vehicle.model_validate(

@@ -16,7 +16,7 @@ from certkit.reporting.language import worded
 
 
 def judged(scheme: str, *points: object, symmetric: bool = True, **asked: object):
-    return worded(judge_car(terms(scheme, **asked), points, symmetric=symmetric))  # type: ignore[arg-type]
+    return worded(judge_car(terms(scheme, **asked), points, symmetric=symmetric))
 
 
 def test_a_limit_itself_passes_and_one_beyond_fails():

@@ -74,7 +74,7 @@ def test_a_gate_sees_a_failure_a_point_and_the_total(document: CampaignReport):
     assert (limits.get("failures"), limits.get("errors")) == ("1", "1")
     failed = next(case for case in limits.iter("testcase") if case.find("failure") is not None)
     assert failed.get("name") == "L0"
-    assert "MCL 23 mm, limit 22" in (failed.find("failure").get("message") or "")  # type: ignore[union-attr]
+    assert "MCL 23 mm, limit 22" in (failed.find("failure").get("message") or "")
     names = [
         case.get("name") for case in suites["certkit.made-up.euro-ncap-flex-pli.points"].iter("testcase")
     ]

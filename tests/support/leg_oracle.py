@@ -308,11 +308,11 @@ def tilted_flesh(flesh: object, layer: float, overlap: Vector, cosine: Vector) -
 
     The flesh is compressed across the leg, over a length of one over the cosine: p(d)/cos θ·d(overlap·cos θ).
     """
-    k = float(flesh.compression) * float(flesh.thickness) / layer  # type: ignore[attr-defined]
-    compacted = float(flesh.compacted_at) / float(flesh.thickness) * layer  # type: ignore[attr-defined]
+    k = float(flesh.compression) * float(flesh.thickness) / layer
+    compacted = float(flesh.compacted_at) / float(flesh.thickness) * layer
     depth = np.maximum(overlap, 0.0) * cosine
     over = np.maximum(depth - compacted, 0.0)
-    wall = float(flesh.wall)  # type: ignore[attr-defined]
+    wall = float(flesh.wall)
     force = k * (depth + depth**3 / layer**2) + wall * over**2 / (2 * (layer - compacted))
     stored = k * (depth**2 / 2 + depth**4 / (4 * layer**2)) + wall * over**3 / (6 * (layer - compacted))
     return force, force * depth / cosine**2 - stored / cosine**2

@@ -41,7 +41,7 @@ def certificate(
         id="T1", title="Tibia moment 1", value=t1, unit="N·m", lower=235.0, upper=272.0, verdict=verdict
     )
     return Result(
-        kind=kind,  # type: ignore[arg-type]  # one of the kinds, by the caller
+        kind=kind,  # one of the kinds, by the caller
         procedure="pendulum",
         title="Pendulum test",
         verdict=verdict,

@@ -29,7 +29,7 @@ def source(kind: str = "predicted", **values: float | None) -> SourceReport:
     """Return a source with good values, apart from those given."""
     merged = GOOD | values
     found = [PointValue(id=i, value=v, unit=UNITS.get(i, "N·m")) for i, v in merged.items()]
-    return SourceReport(kind=kind, label=f"<{kind}>", values=found, decides=True)  # type: ignore[arg-type]
+    return SourceReport(kind=kind, label=f"<{kind}>", values=found, decides=True)
 
 
 def point(name: str, across: float, *sources: SourceReport, relaxed: bool = False) -> PointReport:
@@ -41,8 +41,8 @@ def point(name: str, across: float, *sources: SourceReport, relaxed: bool = Fals
 def terms(scheme: str, **asked: object) -> SchemeTerms:
     """Return a shipped scheme with its corridor set."""
     found = load("scheme", scheme).document
-    corridors = load("corridors", found.corridors).document  # type: ignore[attr-defined]
-    return SchemeTerms(found, corridors, **asked)  # type: ignore[arg-type]
+    corridors = load("corridors", found.corridors).document
+    return SchemeTerms(found, corridors, **asked)
 
 
 def carried() -> list[InputFile]:

@@ -165,7 +165,7 @@ def motion() -> FrontMotion:
         colours = [[100 * push] * (len(points) - 1) for push in PUSH] if kind == "leg" else []
         return MovingLine(
             name=name,
-            kind=kind,  # type: ignore[arg-type]  # of the three words
+            kind=kind,  # of the three words
             run=sides[0],
             model=sides[1],
             run_moments=colours,

@@ -36,7 +36,7 @@ _whole_os = types.ModuleType("os")
 _whole_os.__dict__.update(os.__dict__)
 for _name, _part in list(sys.modules.items()):
     if _name.startswith("filelock.") and hasattr(_part, "os"):
-        _part.os = _whole_os  # type: ignore[attr-defined]  # its locks stay whole
+        _part.os = _whole_os  # its locks stay whole
 
 _open = io.open
 
@@ -59,7 +59,7 @@ def _windows_open(
 
 
 for _module in MODULES:
-    sys.modules[_module] = None  # type: ignore[assignment]  # so that its import fails
+    sys.modules[_module] = None  # so that its import fails
 for _call in (*CALLS, *FLAGS):
     with contextlib.suppress(AttributeError):
         delattr(os, _call)
@@ -67,10 +67,10 @@ for _signal in SIGNALS:
     with contextlib.suppress(AttributeError):
         delattr(signal, _signal)
 for _method in ("fork", "forkserver"):
-    context._concrete_contexts.pop(_method, None)  # type: ignore[attr-defined]  # nothing else says what there is
+    context._concrete_contexts.pop(_method, None)  # nothing else says what there is
 multiprocessing.get_all_start_methods = lambda: ["spawn"]
 multiprocessing.set_start_method("spawn")
-io.open = builtins.open = _windows_open  # type: ignore[assignment]  # it takes the same arguments
+io.open = builtins.open = _windows_open  # it takes the same arguments
 for _stream in (sys.stdout, sys.stderr):
     if isinstance(_stream, io.TextIOWrapper):
         _stream.reconfigure(newline="\r\n")
