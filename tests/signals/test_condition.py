@@ -49,6 +49,12 @@ def test_without_5_ms_at_rest_no_offset_is_removed():
     assert rec.notes[0].code == "no-offset-removed"
 
 
+def test_what_begins_within_the_last_2_ms_before_contact_is_no_offset():
+    early = np.where((TIME > -0.0019) & (TIME < 0.0), 40.0, 0.0)
+    rec = offset_free(recording(TIME, {"T1": early + 3.5}), CERTIFIED)
+    assert rec["T1"].values[0] == pytest.approx(0.0, abs=1e-9)
+
+
 def test_the_last_30_ms_of_a_free_flight_are_not_used_for_the_offset():
     time = np.arange(-2500, 5000) * 2e-5
     moving = np.where(time > -0.030, 8.0, 2.0)
