@@ -118,6 +118,13 @@ def test_the_curves_are_lowered_to_half_of_a_maximum_at_most():
     assert found.code == "bones-lowered-too-far"
 
 
+@pytest.mark.parametrize(("rise", "found"), [(4.5, Reason), (5.5, AssessmentInterval)])
+def test_a_low_is_one_when_the_bone_rises_by_5_newton_metres_behind_it(rise: float, found: type):
+    places = [0.0, 0.01, 0.03, 0.05, 0.1]
+    never = np.interp(TIME, places, [0.0, 100.0, 20.0, 20.0 + rise, 20.0 + rise])
+    assert isinstance(assessment_interval(TIME, {"T1": bending(0.02), "T2": never}), found)
+
+
 def test_bending_before_contact_does_not_count():
     time = TIME - 0.05
     early = np.where(time < -0.01, 100.0 * np.sin(np.pi * (time + 0.05) / 0.04), 0.0)
