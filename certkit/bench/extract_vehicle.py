@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.bench.front_checks import PROCEDURE, self_checks
+from certkit.bench.front_checks import self_checks
 from certkit.definitions.loading.library import load
 from certkit.definitions.loading.yaml_reader import read_tree
 from certkit.errors import DefinitionError
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
     from certkit.definitions.loading.overrides import Overrides
     from certkit.documents.extraction import ExtractionResult
+
+PROCEDURE = "vehicle-fe-front"
 
 
 def extract(

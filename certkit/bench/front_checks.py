@@ -40,8 +40,6 @@ if TYPE_CHECKING:
     from certkit.documents.front_motion import FrontMotion
     from certkit.exchange.fe import FrontData
 
-PROCEDURE = "vehicle-fe-front"
-
 
 class HeldToRun(NamedTuple):
     """Self-checks of an extraction, the frames of the coupled one, and what there is to say of them."""
@@ -57,8 +55,8 @@ def self_checks(
     data: FrontData,
     result: ExtractionResult,
     *,
-    procedure: str | Path = PROCEDURE,
-    tell: Callable[[str], None] = lambda _: None,
+    procedure: str | Path,
+    tell: Callable[[str], None],
 ) -> HeldToRun:
     """Hold an extraction to its run.
 
@@ -70,7 +68,7 @@ def self_checks(
     result : ExtractionResult
     procedure : str or Path
         Which leg hits the front, and how.
-    tell : callable, optional
+    tell : callable
         Told what is being done.
 
     Returns

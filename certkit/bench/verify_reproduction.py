@@ -29,7 +29,7 @@ what the quality gate lets half a time step change. Beyond it, the certificate w
 carries."""
 
 
-def reproduction_checks(result: Result, *, quick: bool = False) -> Iterator[Check]:
+def reproduction_checks(result: Result, *, quick: bool) -> Iterator[Check]:
     """Simulate a simulated certificate again, and compare it with what comes of it.
 
     Parameters

@@ -20,8 +20,8 @@ def foundation(
     criteria: Sequence[CriterionResult],
     preconditions: Sequence[PreconditionResult],
     *,
-    model: str = "",
-    fitted: Sequence[Reason] = (),
+    model: str,
+    fitted: Sequence[Reason],
 ) -> list[Reason]:
     """Return the lines that stand first beside a pass.
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def result_notes(
-    measured: Measurements, criteria: Sequence[CriterionResult], notes: Sequence[Reason] = ()
+    measured: Measurements, criteria: Sequence[CriterionResult], notes: Sequence[Reason]
 ) -> list[Reason]:
     """Gather the notes, each once, in the order procedure, `notes`, corridors, filters, recording, interval.
 

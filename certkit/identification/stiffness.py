@@ -79,9 +79,7 @@ class SpringFit(Struct, frozen=True):
     unloaded: bool
 
 
-def fit_law(
-    x: Values, v: Values, force: Values, *, tension: bool, hold_energy: bool = False
-) -> SpringFit | None:
+def fit_law(x: Values, v: Values, force: Values, *, tension: bool, hold_energy: bool) -> SpringFit | None:
     """Find the law of one path.
 
     Parameters

@@ -11,7 +11,6 @@ from msgspec import Struct
 
 from certkit.exchange.channels_csv import channels_csv
 from certkit.reporting.dcc_report import dcc, lacking
-from certkit.reporting.language import ENGLISH
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -76,7 +75,7 @@ def enclosures(result: Result, prefix: str = "") -> list[Enclosure]:
 
 
 def manifest(
-    parts: Sequence[Enclosure], ids: Sequence[str], spoken: str = ENGLISH, title: str | None = None
+    parts: Sequence[Enclosure], ids: Sequence[str], spoken: str, title: str | None = None
 ) -> Enclosure:
     """Return the list of all enclosures with their hashes, itself an enclosure.
 

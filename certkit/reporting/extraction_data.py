@@ -10,7 +10,6 @@ from certkit.reporting.charts.group_response import contact_path
 from certkit.reporting.charts.motion_frames import FILL
 from certkit.reporting.charts.run_and_model import moment_peak, view_box
 from certkit.reporting.coupled_check import check_of, check_times, group_of
-from certkit.reporting.language import Translate, english
 from certkit.reporting.number_format import decimals as decimals_of
 from certkit.reporting.number_format import shortened
 from certkit.reporting.page_data import differences
@@ -22,6 +21,7 @@ if TYPE_CHECKING:
     from certkit.documents.extraction import ExtractionResult
     from certkit.documents.front_motion import FrontMotion, MovingLine
     from certkit.documents.self_check import ChannelCheck
+    from certkit.reporting.language import Translate
 
 PLACE_UNIT = 1e-4
 """Places travel as whole tenths of a millimetre."""
@@ -31,9 +31,7 @@ BARS, INSET = 0.12, 0.008
 """m on the left of what moves, in which bars show the leg's force on each group, and their distance to it."""
 
 
-def extraction_payload(
-    result: ExtractionResult, worst: str | None, t: Translate = english
-) -> dict[str, Any] | None:
+def extraction_payload(result: ExtractionResult, worst: str | None, t: Translate) -> dict[str, Any] | None:
     """Return what the page's scripts need; None where nothing was recorded in motion.
 
     Parameters

@@ -18,7 +18,7 @@ from certkit.reporting.charts.spring_curves import farther, path_check, reach, s
 from certkit.reporting.coupled_check import check_of, group_of, worst_group
 from certkit.reporting.extraction_findings import findings
 from certkit.reporting.extraction_text import left_out
-from certkit.reporting.language import ENGLISH, language
+from certkit.reporting.language import language
 
 if TYPE_CHECKING:
     from certkit.documents.extraction import ExtractionResult, PathResult
@@ -87,7 +87,7 @@ class ExtractionView(Struct, frozen=True):
     material: Drawing | None
 
 
-def extraction_view(result: ExtractionResult, spoken: str = ENGLISH) -> ExtractionView:
+def extraction_view(result: ExtractionResult, spoken: str) -> ExtractionView:
     """Draw everything of an extraction, in a language."""
     t = language(spoken).word
     coupled, alone = check_of(result, "coupled"), check_of(result, "front alone")

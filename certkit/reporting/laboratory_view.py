@@ -12,8 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct, field
 
-from certkit.reporting.language import language
-
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
@@ -92,14 +90,14 @@ def _text(value: object) -> str:
     return "–" if value is None else str(value)
 
 
-def laboratory_view(header: dict[str, Any] | None, t: Translate | None = None) -> LaboratoryView | None:
+def laboratory_view(header: dict[str, Any] | None, t: Translate) -> LaboratoryView | None:
     """Sort a header into a report's parts.
 
     Parameters
     ----------
     header : dict, optional
         Of a result.
-    t : callable, optional
+    t : callable
         Gives a fixed word in the language.
 
     Returns
@@ -110,21 +108,20 @@ def laboratory_view(header: dict[str, Any] | None, t: Translate | None = None) -
     """
     if not header:
         return None
-    say = t or language().word
     part = {name: value if isinstance(value := header.get(name), dict) else {} for name in _PLACED}
     test, logo, persons = part["test"], header.get("logo"), _persons(header.get("persons"))
     return LaboratoryView(
-        name=_text(header.get("laboratory") or header.get("name") or say("Laboratory")),
+        name=_text(header.get("laboratory") or header.get("name") or t("Laboratory")),
         logo=logo if isinstance(logo, str) and _LOGO.fullmatch(logo) else None,
         number=str(test.get("number") or ""),
         revision=str(test.get("revision") or 0) if test.get("number") or test.get("revision") else "",
         issued=str(test.get("issued") or ""),
-        groups=[group for group in _groups(header, part, say) if group[1]],
-        tables=_tables(header, str(test.get("performed") or ""), say),
+        groups=[group for group in _groups(header, part, t) if group[1]],
+        tables=_tables(header, str(test.get("performed") or ""), t),
         signatories=_signatories(persons),
-        persons=[(role or say("Name"), name) for name, role, _ in persons],
+        persons=[(role or t("Name"), name) for name, role, _ in persons],
         amendment=[
-            (say(title), str(test[key]))
+            (t(title), str(test[key]))
             for title, key in (
                 ("Replaces report", "replaces"),
                 ("Reason", "reason"),

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from importlib import import_module
-from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from certkit.errors import MissingPartError
 from certkit.files import write_whole
-from certkit.reporting.language import ENGLISH
 from certkit.reporting.left_out import leave_out
 
 if TYPE_CHECKING:
@@ -17,7 +15,6 @@ if TYPE_CHECKING:
 
     from certkit.documents.output_document import OutputDocument
 
-NOTHING: Mapping[str, str] = MappingProxyType({})
 TRANSLATED = ("html", "pdf")
 """Formats that are made in each language."""
 
@@ -27,8 +24,8 @@ def write_named(
     out: Path,
     formats: Collection[str],
     files: Mapping[str, tuple[str, str]],
-    spoken: str = ENGLISH,
-    on_paper: Mapping[str, str] = NOTHING,
+    spoken: str,
+    on_paper: Mapping[str, str],
 ) -> list[Path]:
     """Write the wanted reports into a folder, and return what was written.
 

@@ -62,7 +62,7 @@ class SlideDeck:
         When the template cannot be read.
     """
 
-    def __init__(self, document: OutputDocument | None = None) -> None:
+    def __init__(self, document: OutputDocument | None) -> None:
         """Open an empty presentation, on the template where there is one.
 
         Of a document that was changed, every slide says so.

@@ -66,7 +66,7 @@ class SheetBook:
         When XlsxWriter is not installed.
     """
 
-    def __init__(self, title: str, document: OutputDocument | None = None) -> None:
+    def __init__(self, title: str, document: OutputDocument | None) -> None:
         """Open a workbook in memory; of a document that was changed, every sheet says so."""
         self._above = (MARK,) if is_marked(document) else ()
         try:

@@ -186,7 +186,7 @@ def offset_free(recording: Recording, situation: Situation) -> Recording:
         return recording
     # A legform in free flight is not at rest: its last 30 ms are the noise window and must not be flattered.
     until = -WINDOW - MARGIN if situation.free_flight else -MARGIN
-    quiet = quiet_interval(recording.time, until=until)
+    quiet = quiet_interval(recording.time, until)
     if quiet is None:
         return _noted(recording, Reason.of("no-offset-removed", needed=SHORTEST * 1e3))
 

@@ -15,7 +15,7 @@ SHORTEST = 0.005
 """A quiet interval shorter than this says nothing, s."""
 
 
-def quiet_interval(time: NDArray[np.float64], *, until: float = -MARGIN) -> slice | None:
+def quiet_interval(time: NDArray[np.float64], until: float) -> slice | None:
     """Return which samples lie between the record's start and `until`, s; None where that is less than 5 ms.
 
     `time`, s, has the shape (n,).

@@ -154,7 +154,7 @@ def perhaps_frozen(rows: NDArray[np.float64], interval: float) -> bool:
 
 
 def frozen_from(
-    own: NDArray[np.float64], others: Sequence[NDArray[np.float64]], levels: NDArray[np.bool_] | None = None
+    own: NDArray[np.float64], others: Sequence[NDArray[np.float64]], levels: NDArray[np.bool_] | None
 ) -> int | None:
     """Return the first window in which a channel stands still while its neighbours move, or None.
 
@@ -164,8 +164,8 @@ def frozen_from(
         From `activity`: each window's movement as a share of the whole swing.
     others : sequence of ndarray, shape (k,)
         Of the neighbours.
-    levels : ndarray of bool, shape (k,), optional
-        Windows that count; a slack ligament stands still at zero and is not frozen.
+    levels : ndarray of bool, shape (k,), or None
+        Windows that count, or all; a slack ligament stands still at zero and is not frozen.
     """
     quiet = own < FROZEN
     if len(others) < 2 or not quiet.any():  # the quick way out: nearly every channel leaves here

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 from certkit.documents.face_outline import outline_at
 from certkit.reporting.charts.grid import side_by_side
 from certkit.reporting.charts.lines import Line, lines_chart
-from certkit.reporting.language import Translate, english
 
 if TYPE_CHECKING:
     from certkit.documents.extraction import ExtractionResult
     from certkit.documents.self_check import SelfCheck
+    from certkit.reporting.language import Translate
     from certkit.reporting.svg import Drawing
 
 WIDTH, HEIGHT = 360.0, 220.0
@@ -19,7 +19,7 @@ INSTANTS = (0.010, 0.020, 0.030, 0.040)
 """s: when faces are drawn."""
 
 
-def face_profiles(result: ExtractionResult, check: SelfCheck, t: Translate = english) -> Drawing | None:
+def face_profiles(result: ExtractionResult, check: SelfCheck, t: Translate) -> Drawing | None:
     """Draw the faces that can touch the leg; None where nothing is known of their form."""
     moved = {found.name: found.displacement for found in check.groups}
     faced = [g for g in result.groups if g.outlines and g.name in moved and g.kind == "fascia"]

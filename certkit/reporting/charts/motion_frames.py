@@ -169,7 +169,7 @@ def frames_chart(
     return Drawing(WIDTH, total, drawn, said)
 
 
-def colour_key(peak: float, unit: str, x: float, y: float, width: float, t: Translate = english) -> str:
+def colour_key(peak: float, unit: str, x: float, y: float, width: float, t: Translate) -> str:
     """Draw the colour scale of bending moments with its ends, ±`peak`, and its unit."""
     cells = 24
     drawn = "".join(

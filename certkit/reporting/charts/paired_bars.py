@@ -61,7 +61,7 @@ def _of_groups(result: ExtractionResult, check: SelfCheck, what: str) -> list[Ro
     return rows
 
 
-def paired_bars(rows: Sequence[Row], title: str, unit: str, t: Translate = english) -> Drawing | None:
+def paired_bars(rows: Sequence[Row], title: str, unit: str, t: Translate) -> Drawing | None:
     """Draw a pair of bars for each row (name, run, model); None where there is nothing to draw."""
     largest = max((max(abs(run), abs(model)) for _, run, model in rows), default=0.0)
     shown = [row for row in rows if max(abs(row[1]), abs(row[2])) > LEAST * largest]

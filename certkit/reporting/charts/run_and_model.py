@@ -108,7 +108,7 @@ def _frame(motion: FrontMotion, side: str, frame: int, x: Scale, z: Scale, peak:
     )
 
 
-def leg_colours(motion: FrontMotion, t: Translate = english) -> Drawing | None:
+def leg_colours(motion: FrontMotion, t: Translate) -> Drawing | None:
     """Draw what the leg's colours mean; None where it has none."""
     if not any(line.run_moments or line.model_moments for line in motion.lines):
         return None

@@ -19,7 +19,6 @@ from certkit.studies.calibration.recorded_targets import recorded_curves, record
 from certkit.studies.calibration.search import Misfit, downhill, everywhere
 from certkit.studies.calibration.targets import Goal, distances, goals_of
 from certkit.studies.check_runs import check_runs
-from certkit.studies.execution import USUAL, Execution
 from certkit.studies.runs import Runs
 from certkit.studies.trial import Trial
 
@@ -30,6 +29,7 @@ if TYPE_CHECKING:
 
     from certkit.documents.calibration_report import CalibrationReport
     from certkit.studies.calibration.search import Tell
+    from certkit.studies.execution import Execution
     from certkit.studies.points import Outcome
 
 
@@ -137,7 +137,7 @@ def make_ready(document: CalibrationTask | str | Path, library: Sequence[Path] =
     return Task(sheet, trial, space, tuple(goals))
 
 
-def runs_for(task: Task, execution: Execution = USUAL) -> Runs:
+def runs_for(task: Task, execution: Execution) -> Runs:
     """Open the runs of a fit; what an interrupted one has done is found again in the journal."""
     return Runs(task.trial, execution, context=task.trial.context)
 
