@@ -44,13 +44,6 @@ def result(peak: float = 250.0, **more: object) -> Result:
     )
 
 
-def test_a_document_is_read_back_as_it_was_written(tmp_path: Path):
-    result().write(tmp_path / "deep" / "result.json")
-    again = Result.read(tmp_path / "deep" / "result.json")
-    assert again.to_json() == result().to_json()
-    assert again.id == result().id
-
-
 def test_the_text_is_json_in_the_schemas_order_with_a_line_for_each_criterion():
     text = result().to_json()
     tree = json.loads(text)
