@@ -37,9 +37,10 @@ def test_the_last_ten_curves_of_each_channel_are_kept(leg: LegOverview):
 
 def test_a_thinned_curve_keeps_its_highest_and_its_lowest_value(leg: LegOverview):
     tests = worn(synthetic_result.laboratory_result())[-MOST_TESTS:]
+    drawn = [result.as_written().curves for result in tests]
     for past in leg.curves:
-        for curve, result in zip(past.curves, tests, strict=True):
-            whole = result.as_written().curves.series[past.criterion].values
+        for curve, curves in zip(past.curves, drawn, strict=True):
+            whole = curves.series[past.criterion].values
             heights = [y for _, y in curve.points]
             assert len(heights) <= MOST_POINTS + 3
             assert (min(heights), max(heights)) == (min(whole), max(whole))
