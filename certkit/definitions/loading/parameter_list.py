@@ -48,10 +48,10 @@ def curve_points(document: BaseModel) -> dict[str, str]:
 
 def _points(given: object, path: str) -> Iterator[tuple[str, str]]:
     if curve := _curve(given):
-        yield from ((_join(path, point[0].text), point[1].text) for point in curve if len(point) == 2)
+        yield from ((joined(path, point[0].text), point[1].text) for point in curve if len(point) == 2)
     elif not isinstance(given, Number):
         for key, entry in _entries(given):
-            yield from _points(entry, _join(path, key))
+            yield from _points(entry, joined(path, key))
 
 
 def _walk(given: object, path: str) -> Iterator[ListedParameter]:
