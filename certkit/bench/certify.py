@@ -10,7 +10,8 @@ from certkit.bench.laboratory_files import read_files
 from certkit.bench.legform_logbook import FOLDER, add_tests, day_of, rules_of
 from certkit.bench.report_numbers import report_number
 from certkit.definitions.laboratory import TestDetails
-from certkit.documents.result import MEASURED, Result
+from certkit.documents.document_kinds import MEASURED
+from certkit.documents.result import Result
 from certkit.errors import DataError
 from certkit.logbooks import Issue, Logbook, certificate_of, overview, tests_to_certify
 from certkit.logbooks.logbook_entry import serial_key

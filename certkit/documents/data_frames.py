@@ -84,7 +84,12 @@ class CriteriaFrame:
 
 
 class SeriesFrame:
-    """Gives channels over time as a data frame."""
+    """Gives channels over time as a data frame, and their times."""
+
+    @property
+    def milliseconds(self: Sampled) -> list[float]:
+        """The time axis, ms."""
+        return [(self.start + k * self.interval) * 1e3 for k in range(self.count)]
 
     def to_pandas(self: Sampled) -> pd.DataFrame:
         """Return one column a channel over the time in s; `attrs["units"]` has the unit of each."""

@@ -15,6 +15,8 @@ from certkit.errors import DataError
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from certkit.documents.result import ResultKind
+
 DOCUMENTS = MappingProxyType(
     {
         "result": "certkit.documents.result:Result",
@@ -32,6 +34,9 @@ DOCUMENTS = MappingProxyType(
     }
 )
 """Class of each kind by the word that `certkit schema` knows it by; imported when it is needed."""
+
+MEASURED: ResultKind = "test evaluation"
+"""Kind of the result of a measured test, the one that a laboratory answers for."""
 
 _FIRST = re.compile(rb'\s*\{\s*"schema"\s*:\s*"([^"\\]{1,80})"')
 

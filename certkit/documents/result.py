@@ -22,10 +22,6 @@ Verdict = Literal["pass", "fail", "conditional", "not evaluated", "error"]
 ResultKind = Literal["virtual certification", "virtual test", "test evaluation"]
 
 
-MEASURED: ResultKind = "test evaluation"
-"""Kind of the result of a measured test, the one that a laboratory answers for."""
-
-
 class Spread(Part):
     """A criterion's value over a family of certified legs."""
 
@@ -207,11 +203,6 @@ class Histories(SeriesFrame, Part):
     interval: Figure
     count: int
     series: dict[str, Series]
-
-    @property
-    def milliseconds(self) -> list[float]:
-        """The time axis, ms."""
-        return [(self.start + k * self.interval) * 1e3 for k in range(self.count)]
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

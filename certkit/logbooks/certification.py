@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from certkit._version import __version__
+from certkit.documents.document_kinds import MEASURED
 from certkit.documents.legform_certificate import CertifiedTest, LegformCertificate
-from certkit.documents.result import MEASURED
 from certkit.documents.verdicts import worst
 from certkit.errors import DataError
 from certkit.logbooks.logbook_entry import entry_of, serial_key

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from certkit.documents.result import MEASURED
+from certkit.documents.document_kinds import MEASURED
 from certkit.errors import DataError
 from certkit.logbooks.same_blow import channel_digests
 

@@ -15,7 +15,7 @@ import math
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
 
-from certkit.documents.result import MEASURED
+from certkit.documents.document_kinds import MEASURED
 from certkit.errors import UsageError
 from certkit.plain_text import without_odd_characters
 
