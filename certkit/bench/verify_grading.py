@@ -12,12 +12,14 @@ from certkit.bench.regrade import embedded_setup, regrade
 from certkit.bench.verification import Check, fails, holds, judged, left_out, unchecked
 from certkit.documents.channel_curves import simulated_here
 from certkit.errors import CertkitError
+from certkit.grading.remarks import ACCEPTED, file_note
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from certkit.bench.compare_documents import Difference
     from certkit.documents.result import CriterionResult, Quality, Result
+    from certkit.reasons import Reason
 
 FIELDS = (
     "kind",
@@ -140,12 +142,27 @@ def _field_check(name: str, result: Result, again: Result) -> Check:
         after = {key: value for key, value in (after or {}).items() if key != "logo"}
     if name in {"remarks", "coded_remarks"} and any(c.spread for c in result.criteria):
         before = [each for each in before if each in after]  # those on the family are of its runs
+    if name in {"remarks", "coded_remarks"}:
+        before = [each for number, each in enumerate(before) if not _passed_on(result, number)]
     found = [each for each in differences(before, after, name) if not each.place.endswith(".text")]
     if found and "remarks" in name and simulated_here(result) and not fits_of(embedded_setup(result)):
         return unchecked(what, "fits-not-known", place=found[0].place)
     if found and _other_numbers(name, result, again):
         return fails(what, "field-differs", place=name, said=result.decision_rule, made=again.decision_rule)
     return _told(what, result, found)
+
+
+def _passed_on(result: Result, number: int) -> bool:
+    """Tell whether a remark passes on a note of the recording's files, which the document has as well."""
+    if number >= len(result.coded_remarks) or result.coded_remarks[number].code != ACCEPTED:
+        return False
+    note = file_note(result.coded_remarks[number])
+    return note is not None and _plain(note) in map(_plain, result.coded_notes)
+
+
+def _plain(reason: Reason) -> str:
+    """Return a reason without its words."""
+    return str(reason.worded("").model_dump(mode="json"))
 
 
 def _told(what: str, result: Result, found: list[Difference]) -> Check:
@@ -185,6 +202,10 @@ def _override_check(result: Result) -> Check:
 def _note_checks(result: Result, again: Result) -> Iterator[Check]:
     """Check that the notes that grading makes are all there; those of the recording's files are not known."""
     what = "graded again: notes"
+    remarked = {_plain(note) for each in result.coded_remarks if (note := file_note(each)) is not None}
+    silent = [n for n in result.coded_notes if file_note(n) is not None and _plain(n) not in remarked]
+    if silent and result.provenance.certkit == __version__:
+        yield fails(what, "remark-missing", note=str(silent[0])[:120])
     missing = [note for note in again.notes if note not in result.notes]
     further = [note for note in result.notes if note not in again.notes]
     if missing:

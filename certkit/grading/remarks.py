@@ -76,18 +76,13 @@ def remarks(
     return said
 
 
-ASSUMED = frozenset(
-    {
-        "assumed",
-        "left-out",
-        "clipped-kept",
-        "sign-turned",
-        "questionable-data",
-        "kind-not-said",
-        "source-not-clear",
-        "status-not-good",
-    }
+ACCEPTED = "accepted-leniently"
+"""Code of the remark on such a note."""
+FROM_FILES = frozenset(
+    {"assumed", "left-out", "questionable-data", "kind-not-said", "source-not-clear", "status-not-good"}
 )
+"""Codes of notes that only a recording's files tell; a document does not carry what they rest on."""
+ASSUMED = FROM_FILES | {"clipped-kept", "sign-turned", "no-offset-removed"}
 """Codes of notes on a recording that stand for something that the data themselves do not show."""
 
 
@@ -101,6 +96,22 @@ def assumptions(recording: Recording) -> list[Reason]:
         if note.code in ASSUMED
     ]
     return [Reason.of("accepted-leniently", reason=note) for note in said]
+
+
+def file_note(reason: Reason) -> Reason | None:
+    """Return the note of a file (of a channel, if so) that a remark or note passes on; else None."""
+    if reason.code == ACCEPTED:
+        inner = _within(reason)
+        return None if inner is None else file_note(inner)
+    named = _within(reason) if reason.code == "note-of-channel" else reason
+    return reason if named is not None and named.code in FROM_FILES else None
+
+
+def _within(reason: Reason) -> Reason | None:
+    """Return the reason within a reason; None where there is none."""
+    held = reason.parameters.get("reason")
+    first = held[0] if isinstance(held, list) and held else None
+    return first if isinstance(first, Reason) else None
 
 
 def left_ungraded(procedure: Procedure, corridors: Mapping[str, CorridorSet]) -> list[Reason]:
