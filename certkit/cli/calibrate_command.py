@@ -57,7 +57,7 @@ def calibrate(
             sys.stderr.write(f"{start}{words}{end}")
             sys.stderr.flush()
 
-    with resumable():
+    with resumable(fresh=fresh):
         found = fit(
             document,
             out=folder,

@@ -13,14 +13,13 @@ if TYPE_CHECKING:
 
 
 @contextlib.contextmanager
-def resumable() -> Iterator[None]:
-    """Tell whoever presses Ctrl-C that the finished runs are kept."""
+def resumable(*, fresh: bool) -> Iterator[None]:
+    """Tell whoever presses Ctrl-C that the finished runs are kept, and how to go on from them."""
     try:
         yield
     except KeyboardInterrupt:
-        typer.echo(
-            "interrupted; the runs that are done are kept, the same command goes on from there", err=True
-        )
+        same = "the same command without --fresh" if fresh else "the same command"
+        typer.echo(f"interrupted; the runs that are done are kept, {same} goes on from there", err=True)
         raise typer.Exit(130) from None
 
 

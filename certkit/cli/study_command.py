@@ -44,7 +44,7 @@ def study(
 
     sheet = study_sheet(document, tuple(library or ()))
     folder = out or Path("runs") / sheet.study
-    with resumable(), counting(sheet.study, quiet=quiet or as_json) as progress:
+    with resumable(fresh=fresh), counting(sheet.study, quiet=quiet or as_json) as progress:
         found = carry_out(
             sheet,
             out=folder,

@@ -45,7 +45,7 @@ def uncertainty(
     sheet = budget_sheet(document, tuple(library or ()))
     folder = out or Path("runs") / sheet.budget
     address = cluster_address(cluster, tls_ca_file, tls_cert, tls_key)
-    with resumable(), counting(sheet.budget, quiet=quiet or as_json) as progress:
+    with resumable(fresh=fresh), counting(sheet.budget, quiet=quiet or as_json) as progress:
         report = propagate(
             sheet,
             out=folder,

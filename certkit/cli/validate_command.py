@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path  # noqa: TC003  # typer reads the annotations
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -36,6 +36,14 @@ def validate(
         raise typer.Exit(DefinitionError.exit_code if problems else 0)
     for file, found in checked:
         if not found:
-            typer.echo(f"{file}: ok")
+            typer.echo(f"{file}: ok{'' if every else _found_as(Path(file))}")
     if problems:
         raise DefinitionError(problems)
+
+
+def _found_as(file: Path) -> str:
+    """Say by which name a file is found, where it calls itself otherwise."""
+    from certkit.definitions.loading.lint import other_name  # noqa: PLC0415  # likewise
+
+    said = other_name(file)
+    return f"; it calls itself `{said}`, but by name it is found as its file, `{file.stem}`" if said else ""

@@ -94,6 +94,11 @@ def documents_from(content: bytes, name: str) -> list[OutputDocument]:
     try:
         tree = json.loads(content)
     except (ValueError, RecursionError) as error:
+        if content.lstrip()[:1] not in {b"{", b"["}:
+            raise DataError(
+                f"{name}: is no document of certkit's; pages, tables and sheets are made of one"
+                ": name that (result.json, …), or the folder that it lies in"
+            ) from error
         raise DataError(f"{name}: damaged: no JSON ({error}); make it again") from error
     if not isinstance(tree, list):
         return [_class_of(_word(tree), name).from_json(content, name)]

@@ -105,9 +105,14 @@ def test_validate_can_speak_to_programs(certkit: Command, tmp_path: Path):
 
 def test_validate_says_which_files_are_sound(certkit: Command, tmp_path: Path):
     text = certkit("show", "r127-pendulum", "--json").stdout
-    (tmp_path / "sound.yaml").write_text(json.dumps(json.loads(text)["document"]))  # JSON is YAML too
-    done = certkit("validate", "sound.yaml")
-    assert (done.returncode, done.stdout) == (0, "sound.yaml: ok\n")
+    for name in ("r127-pendulum", "sound"):  # JSON is YAML too
+        (tmp_path / f"{name}.yaml").write_text(json.dumps(json.loads(text)["document"]))
+    done = certkit("validate", "r127-pendulum.yaml", "sound.yaml")
+    assert done.returncode == 0
+    assert done.stdout.splitlines() == [
+        "r127-pendulum.yaml: ok",
+        "sound.yaml: ok; it calls itself `r127-pendulum`, but by name it is found as its file, `sound`",
+    ]
 
 
 def test_everything_shipped_is_sound(certkit: Command):

@@ -20,7 +20,7 @@ from certkit.documents.calibration_report import (
     StrongCorrelation,
 )
 from certkit.documents.comparison import ChannelRating, ComparisonDocument, Side
-from certkit.documents.document_kinds import DOCUMENTS, document_class
+from certkit.documents.document_kinds import DOCUMENTS, document_class, read_documents
 from certkit.documents.extraction import ExtractionResult, GroupResult
 from certkit.documents.logbook_overview import LegOverview, Validity
 from certkit.documents.optimum_report import OptimumReport
@@ -275,3 +275,11 @@ def test_what_is_not_known_is_null_and_not_nan():
     effect = _study().effects[1]
     assert (effect.lower, effect.upper) == (None, None)
     assert '"lower":null' in _study().to_json()
+
+
+@pytest.mark.parametrize("content", ["<!DOCTYPE html>\n<html></html>", "time,T1\n0,1\n", "%PDF-1.7", ""])
+def test_what_is_made_of_a_document_is_told_from_a_damaged_one(content: str, tmp_path: Path):
+    (tmp_path / "page").write_text(content)
+    with pytest.raises(DataError, match=r"page: is no document of certkit's; .* name that") as caught:
+        read_documents(tmp_path / "page")
+    assert "damaged" not in str(caught.value)

@@ -36,6 +36,14 @@ def survey(path: Path, library: Library = ()) -> Surveyed:
     return _survey(Found(path.name, data, str(path)), None, [*stores(library), *neighbours(path)])
 
 
+def other_name(path: Path) -> str:
+    """Return what a file that is found by its name calls itself, where that is another name; else nothing."""
+    tree = read_tree(read_bytes(path), str(path))
+    kind = kind_in(tree)
+    said = str(tree.data[kind.word])
+    return said if kind.folder and said != path.stem else ""
+
+
 def survey_all(library: Library = ()) -> list[Surveyed]:
     """Check everything the library has."""
     found = [
