@@ -9,6 +9,9 @@ from pydantic import Field
 from certkit.documents.output_document import OutputDocument, Part
 from certkit.documents.rounding import Figure
 
+BENT = 1.25
+"""Times the GUM's U that the runs have to reach for it to count no more: 400 tell it to about a tenth."""
+
 
 class BudgetLine(Part):
     """One source of uncertainty of one criterion."""
@@ -35,6 +38,9 @@ class CriterionUncertainty(Part):
     upper: Figure | None = None
     expanded: Annotated[Figure, Field(description="U = 2·√Σ(c·u)², by the GUM.")]
     simulated: Annotated[Figure, Field(description="Half the 95 % interval of the Monte Carlo runs.")]
+    farthest: Annotated[
+        Figure, Field(description="Distance of the farther end of that interval from the value.")
+    ] = 0.0
     shift: Annotated[Figure, Field(description="Mean of the Monte Carlo runs less the value.")]
     false_accept: Annotated[Figure | None, Field(description="Of the model's value, with U.")] = None
     guard_band: Annotated[
@@ -49,6 +55,16 @@ class CriterionUncertainty(Part):
         Field(description="Share of its present size that is left to it; none: it alone is not enough."),
     ] = None
     lines: Annotated[list[BudgetLine], Field(description="Largest share first.")]
+
+    @property
+    def bent(self) -> bool:
+        """Whether the runs leave what the GUM says, which takes the model as straight (JCGM 101, 8)."""
+        return self.farthest > BENT * self.expanded
+
+    @property
+    def counted(self) -> float:
+        """U that counts: the GUM's, or the farther end of the runs' interval where the model is bent."""
+        return self.farthest if self.bent else self.expanded
 
 
 class UncertaintyReport(OutputDocument):

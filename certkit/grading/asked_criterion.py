@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from msgspec import Struct
 
@@ -34,6 +34,8 @@ class AskedCriterion(Struct, frozen=True):
         Limits in `unit`; a whole curve's value is its distance to the border, which has to be above zero.
     graded : bool
         Whether it counts for the verdict.
+    shows : {'channel', 'time', 'curve'}
+        What its value is: the channel's own at some instant, an instant, a whole curve's distance.
     """
 
     id: str
@@ -43,6 +45,7 @@ class AskedCriterion(Struct, frozen=True):
     lower: float | None
     upper: float | None
     graded: bool
+    shows: Literal["channel", "time", "curve"] = "channel"
 
 
 def asked_criterion(
@@ -71,7 +74,15 @@ def asked_criterion(
         lower=None if lower is None else lower * scale,
         upper=None if upper is None else upper * scale,
         graded=isinstance(found, Corridor) or found.required,
+        shows=_shown_by(criterion),
     )
+
+
+def _shown_by(criterion: Criterion) -> Literal["channel", "time", "curve"]:
+    kind = MEASURES[criterion.measure]
+    if kind.quantity == "time":
+        return "time"
+    return "channel" if kind.corridor is ValueWindow else "curve"
 
 
 def dimension_of(criterion: Criterion, channels: ChannelTable) -> Dimension | None:

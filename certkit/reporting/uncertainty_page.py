@@ -27,6 +27,12 @@ def uncertainty_page(document: UncertaintyReport, spoken: str = ENGLISH) -> str:
 
 def advice(each: CriterionUncertainty, t: Translate) -> str:
     """Return what to do about a criterion's uncertainty; empty where nothing has to be done."""
+    bent = t("bent within the tolerances: U by Monte Carlo, {u}", u=words.significant(each.farthest, 2))
+    told = [bent if each.bent else "", _tightened(each, t)]
+    return "; ".join(part for part in told if part)
+
+
+def _tightened(each: CriterionUncertainty, t: Translate) -> str:
     if not each.tighten:
         return ""
     if each.tighten_to is None:

@@ -87,6 +87,8 @@ def criterion_uncertainty(  # what one criterion's figures rest on
         step = standard_uncertainty(factor)
         change = (_number(up.outputs, output) - _number(down.outputs, output)) / 2
         lines.append((factor.name, step, factor.unit, change / step, change))
+    if criterion.shows != "channel":  # no gain moves an instant; a curve's sensors are refused before
+        sensor = SensorError()
     if sensor.gain:
         lines.append(("gain", 100 * sensor.gain, "%", None, abs(value) * sensor.gain))
     if sensor.offset:
@@ -119,6 +121,7 @@ def criterion_uncertainty(  # what one criterion's figures rest on
         upper=criterion.upper,
         expanded=COVERAGE * total,
         simulated=float(high - low) / 2,
+        farthest=float(max(high - value, value - low)),
         shift=float(values.mean()) - value,
         lines=listed,
     )
@@ -143,16 +146,17 @@ def _with_risk(found: CriterionUncertainty, risk: float) -> CriterionUncertainty
     )
     allowed = COVERAGE * margin / needed if 0 <= margin < math.inf else None
     changes: dict[str, object] = {
-        "false_accept": false_accept(found.value, found.lower, found.upper, found.expanded),
-        "guard_band": needed * found.expanded / COVERAGE,
+        "false_accept": false_accept(found.value, found.lower, found.upper, found.counted),
+        "guard_band": needed * found.counted / COVERAGE,
         "allowed": allowed,
     }
-    if allowed is not None and found.expanded > allowed and found.lines:
+    if allowed is not None and found.counted > allowed and found.lines:
         largest = found.lines[0]
         rest = (found.expanded / COVERAGE) ** 2 - largest.contribution**2
         room = (allowed / COVERAGE) ** 2 - rest
         changes["tighten"] = largest.name
-        changes["tighten_to"] = math.sqrt(room) / abs(largest.contribution) if room > 0 else None
+        straight = room > 0 and not found.bent  # else a share of U is no share of its cause
+        changes["tighten_to"] = math.sqrt(room) / abs(largest.contribution) if straight else None
     return found.model_copy(update=changes)
 
 

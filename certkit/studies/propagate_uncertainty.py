@@ -18,10 +18,11 @@ from msgspec.structs import replace
 from certkit._version import __version__
 from certkit.bench.render_documents import render
 from certkit.bench.result_folder import refuse_other_name
+from certkit.definitions.channels import TIME
 from certkit.definitions.loading.library import folders_of, load
 from certkit.definitions.uncertainty_budget import UncertaintyBudget
 from certkit.definitions.units import split_quantity
-from certkit.documents.uncertainty_report import UncertaintyReport
+from certkit.documents.uncertainty_report import CriterionUncertainty, UncertaintyReport
 from certkit.errors import RunError, UsageError
 from certkit.files import write_whole
 from certkit.grading.asked_criterion import AskedCriterion, asked_criterion
@@ -188,13 +189,19 @@ def _criteria(trial: Trial) -> dict[str, AskedCriterion]:
 def _sensor_errors(
     sensors: Sequence[SensorUncertainty], criteria: Collection[AskedCriterion]
 ) -> dict[str, SensorError]:
-    units = {c.channel: c.unit for c in criteria}
+    units = {c.channel: c.unit for c in criteria if c.shows == "channel"}
+    curves = {c.channel for c in criteria if c.shows == "curve"}
     found: dict[str, SensorError] = {}
     for place, sensor in enumerate(sensors):
         gain = 0.0 if sensor.gain is None else share(sensor.gain)
         if gain is None:
             raise UsageError(f"sensors.{place}.gain: `{sensor.gain}` is no share such as `0.8 %`")
         for channel in sensor.channels:
+            if channel in curves:
+                raise UsageError(
+                    f"sensors.{place}.channels: `{channel}` is held against an area as a whole curve, "
+                    "whose distance no gain or offset tells; leave it out"
+                )
             if channel not in units:
                 raise UsageError(
                     f"sensors.{place}.channels: no criterion is of the channel `{channel}`; there are "
@@ -217,13 +224,21 @@ def _offset(written: str | None, unit: str, place: str) -> float:
 
 
 def laboratory_lines(report: UncertaintyReport) -> str:
-    """Return the lines of a laboratory file: U by channel, two digits, rounded up (JCGM 100, 7.2.6)."""
+    """Return the lines of a laboratory file: U by channel, two digits, rounded up (JCGM 100, 7.2.6).
+
+    Of several criteria of one channel the largest U counts; that of an instant is none of the channel.
+    """
     lines = ["uncertainties: # expanded, k = 2; from the budget " + f"`{report.budget}`, {report.id}"]
+    of_channel: dict[str, CriterionUncertainty] = {}
     for each in report.criteria:
-        if each.expanded > 0:
-            power = 10.0 ** (math.floor(math.log10(each.expanded)) - 1)
-            written = math.ceil(each.expanded / power - 1e-9) * power
-            lines.append(f"  {each.channel}: {written:.6g} {each.unit}")
+        known = of_channel.get(each.channel)
+        if each.unit != TIME.unit and each.counted > (0.0 if known is None else known.counted):
+            of_channel[each.channel] = each
+    for channel, each in of_channel.items():
+        power = 10.0 ** (math.floor(math.log10(each.counted)) - 1)
+        written = math.ceil(each.counted / power - 1e-9) * power
+        why = f" # by Monte Carlo; by the GUM {each.expanded:.2g}" if each.bent else ""
+        lines.append(f"  {channel}: {written:.6g} {each.unit}{why}")
     return "\n".join(lines) + "\n"
 
 

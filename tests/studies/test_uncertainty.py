@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from certkit import uncertainty
 from certkit.definitions.uncertainty_budget import UncertaintyBudget
 from certkit.documents.uncertainty_report import CriterionUncertainty, UncertaintyReport
 from certkit.errors import UsageError
+from certkit.grading.asked_criterion import AskedCriterion
 from certkit.reporting.uncertainty_page import uncertainty_page, uncertainty_text
-from certkit.studies.combined_uncertainty import standard_uncertainty
+from certkit.studies.combined_uncertainty import SensorError, criterion_uncertainty, standard_uncertainty
+from certkit.studies.designs.latin_hypercube import latin_hypercube
 from certkit.studies.execution import Execution
 from certkit.studies.factors import Factor, NormalFactor, Triangular, Uniform
+from certkit.studies.points import Outcome
+from certkit.studies.propagate_uncertainty import laboratory_lines
 
 SENSORS = [{"channels": ["T1"], "gain": "2 %", "offset": "3 N·m", "source": "made up"}]
 RIG = [{"path": "rig.ram.speed", "uniform": ["10.9 m/s", "11.3 m/s"], "source": "made up"}]
@@ -73,6 +79,45 @@ def test_too_large_an_uncertainty_names_what_to_tighten() -> None:
     assert 2 * math.hypot(*left) == pytest.approx(t1.allowed, rel=1e-5)
     assert t1.false_accept is not None
     assert t1.false_accept > 0.025
+
+
+def one_source(response: Callable[[float], float], **asked: object) -> CriterionUncertainty:
+    """Return the uncertainty of a made-up criterion over one normal source of u = 1 about 0."""
+    factor = Factor("a", "mm", NormalFactor(0.0, 1.0))
+    outcome = [Outcome({"y": response(x)}) for x in (0.0, 1.0, -1.0)]
+    spread = [Outcome({"y": response(float(p["a"]))}) for p in latin_hypercube([factor], 4000, 1)]
+    criterion = AskedCriterion("y", "Y", "T1", "N·m", None, 10.0, graded=True, **asked)  # type: ignore[arg-type]
+    draws = np.random.default_rng(1), 4000
+    outcomes = outcome[0], outcome[1:], spread
+    return criterion_uncertainty(criterion, "y", outcomes, [factor], SensorError(0.01, 0.0), 0.025, draws)
+
+
+def test_where_the_model_is_bent_the_runs_count() -> None:
+    """Of y = x² over a normal x the GUM sees nothing; 95 % of it reach up to 2.24² = 5.02."""
+    bowl = one_source(lambda x: x * x)
+    assert bowl.expanded == pytest.approx(0.0, abs=1e-9)
+    assert bowl.bent
+    assert bowl.counted == pytest.approx(5.02, rel=0.05)
+    straight = one_source(lambda x: 2 * x)
+    assert not straight.bent
+    assert straight.counted == straight.expanded == pytest.approx(4.0, rel=1e-9)
+
+
+def test_no_gain_moves_an_instant() -> None:
+    instant = one_source(lambda x: 100.0 + x, shows="time")
+    assert [line.name for line in instant.lines] == ["a"]
+
+
+def test_a_channel_has_one_line_in_a_laboratory_file_with_its_largest_u(report: UncertaintyReport) -> None:
+    """Two criteria of one channel, and the instant of its peak, were three lines of one key."""
+    t1 = of(report, "T1")
+    rows = [
+        t1.model_copy(update={"expanded": 3.0, "farthest": 3.0}),
+        t1.model_copy(update={"criterion": "low", "expanded": 5.0, "farthest": 5.0}),
+        t1.model_copy(update={"criterion": "when", "unit": "ms", "expanded": 9.0, "farthest": 9.0}),
+    ]
+    lines = laboratory_lines(report.model_copy(update={"criteria": rows}))
+    assert lines.splitlines()[1:] == ["  T1: 5 N·m"]
 
 
 def test_page_text_and_laboratory_lines_have_each_criterion(tmp_path: Path) -> None:
