@@ -6,6 +6,7 @@ from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from certkit.bench.graded_again import wrong_values
 from certkit.bench.laboratory_files import read_files
 from certkit.bench.legform_logbook import FOLDER, add_tests, day_of, rules_of
 from certkit.bench.report_numbers import report_number
@@ -63,7 +64,8 @@ def certify(  # as many as the command has options
     Raises
     ------
     DataError
-        When a test is of another legform, was not measured, was replaced or changed; with all that is wrong.
+        When a test is of another legform, was not measured, was replaced or changed, or comes to other values
+        when it is graded again; with all that is wrong.
     UsageError
         When the logbook does not know the legform.
     """
@@ -76,6 +78,9 @@ def certify(  # as many as the command has options
     asked = day_of(day) if isinstance(day, str) else day
     leg = overview(book, serial, rules=own, day=asked, curves=True)
     results = book.results(line.id for line in tests_to_certify(leg).values() if line is not None)
+    faults = [each for result in results for each in wrong_values(f"{folder}: {result.id}", result)]
+    if faults:
+        raise DataError("\n".join(faults))
     issue = _issue(leg, results, None if laboratory is None else Path(laboratory))
     return worded(certificate_of(leg, results, issue)).with_id()
 

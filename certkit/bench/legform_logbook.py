@@ -6,9 +6,11 @@ from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from certkit.bench.graded_again import wrong_values
 from certkit.definitions.loading.validation import read_document
 from certkit.definitions.logbook_rules import LogbookRules
-from certkit.errors import UsageError
+from certkit.documents.result import Result
+from certkit.errors import DataError, UsageError
 from certkit.logbooks import Logbook, add, overview, rebuild, shipped_rules
 from certkit.reporting.language import worded
 
@@ -58,7 +60,7 @@ def logbook(
     book = Logbook(Path(folder))
     paths = [tests] if isinstance(tests, (str, Path)) else tests
     if paths:
-        add(book, [Path(path) for path in paths])
+        add_tests(paths, folder)
     own = None if rules is None else rules_of(Path(rules))
     asked = day_of(day) if isinstance(day, str) else day
     exact = own is not None and own.serial_numbers == "exact"
@@ -90,9 +92,25 @@ def add_tests(
     Raises
     ------
     DataError
-        When a test is damaged, was changed, or names no legform and day.
+        When a test is damaged, was changed, comes to other values when it is graded again, or names no
+        legform and day.
     """
-    return add(Logbook(Path(folder)), [Path(path) for path in tests])
+    paths = [Path(path) for path in tests]
+    # What is no document, or was changed, the logbook itself refuses with more words.
+    results = {str(path): _read(path) for path in paths}
+    faults = [each for place, result in results.items() if result for each in wrong_values(place, result)]
+    if faults:
+        raise DataError("\n".join(faults))
+    return add(Logbook(Path(folder)), paths)
+
+
+def _read(path: Path) -> Result | None:
+    """Read a result whose id fits; None where there is none."""
+    try:
+        result = Result.read(Result.file_at(path))
+    except DataError:
+        return None
+    return result if result.content_id() == result.id else None
 
 
 def rebuild_index(folder: str | Path = FOLDER) -> int:

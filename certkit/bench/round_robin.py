@@ -6,8 +6,8 @@ import math
 from collections import defaultdict
 from typing import TYPE_CHECKING
 
+from certkit.bench.graded_again import wrong_values
 from certkit.bench.results_at_path import results_at
-from certkit.bench.verify_grading import grading_checks
 from certkit.documents.round_robin_report import (
     CriterionPrecision,
     LaboratoryRow,
@@ -118,7 +118,7 @@ def _read(certificates: Sequence[str | Path], *, unverified: bool) -> list[tuple
                     continue
                 faults += _used_before(place, entry, zip(places.values(), found, strict=True))
                 places[same] = place
-                faults += _wrong_values(place, result)
+                faults += wrong_values(place, result)
                 found.append((name, entry, result))
         except DataError as error:
             faults.append(str(error))
@@ -138,15 +138,6 @@ def _used_before(
                 f"{place}: {same} are sample by sample those of {there}; one blow is one test: leave one out"
             ]
     return []
-
-
-def _wrong_values(place: str, result: Result) -> list[str]:
-    """Grade a result again where it carries its channels; say whether it comes to other values."""
-    if result.channels is None:
-        return []
-    if all(check.outcome != "does not hold" for check in grading_checks(result)):
-        return []
-    return [f"{place}: comes to other values when it is graded again; `certkit verify {place}` tells more"]
 
 
 def _key(name: str) -> str:

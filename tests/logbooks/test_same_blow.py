@@ -68,3 +68,19 @@ def test_a_revision_of_a_report_keeps_its_samples(graded: Result, tmp_path: Path
 def test_one_ramp_in_common_makes_no_two_tests_one():
     assert shared_channels(["load:aa", "T1:bb", "MCL:cc"], ["load:aa", "T1:bc", "MCL:cd"]) == ""
     assert shared_channels(["load:aa", "T1:bb", "MCL:cc"], ["load:aa", "T1:bb", "MCL:cd"]) == "T1, load"
+
+
+def test_a_made_up_value_is_booked_and_certified_by_nobody(graded: Result, tmp_path: Path):
+    """Its id is made anew; only grading again shows it."""
+    criteria = [
+        each.model_copy(update={"value": 250.0}) if each.id == "T1" else each for each in graded.criteria
+    ]
+    forged = graded.model_copy(update={"criteria": criteria}).with_id()
+    path = tmp_path / "forged.json"
+    path.write_text(forged.to_json())
+    with pytest.raises(DataError, match=r"forged\.json: comes to other values when it is graded again"):
+        certkit.logbook(tmp_path / "logbook", tests=path)
+    assert not (tmp_path / "logbook").exists()
+    add(Logbook(tmp_path / "logbook"), [path])  # as whoever writes into the folder itself would
+    with pytest.raises(DataError, match=f"{forged.id}: comes to other values"):
+        certkit.certify("FLX-0007", folder=tmp_path / "logbook")
