@@ -55,7 +55,7 @@ def channel_checks(
                 run_peak=largest,
                 time=float(time[i] + start),
                 run_time=float(time[j] + start),
-                error_percent=error_percent(float(got[i]), largest),
+                error_percent=percent_above(float(got[i]), largest),
                 rms_percent=100 * float(np.sqrt(np.mean((got - wanted) ** 2))) / largest,
                 values=tuple(map(float, got[::every])),
                 run_values=tuple(map(float, wanted[::every])),
@@ -66,6 +66,6 @@ def channel_checks(
     return tuple(sorted(checks, key=lambda c: -c.rms_percent))
 
 
-def error_percent(value: float, reference: float) -> float:
+def percent_above(value: float, reference: float) -> float:
     """Return by how much a value is above its reference, %; 0 where the reference is zero."""
     return 100.0 * (value / reference - 1.0) if reference != 0 else 0.0

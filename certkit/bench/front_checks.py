@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
-from certkit.bench.channel_checks import channel_checks, error_percent
+from certkit.bench.channel_checks import channel_checks, percent_above
 from certkit.bench.checked_run import CheckedRun
 from certkit.bench.contact_check import contact_alone, leg_nodes
 from certkit.bench.contact_places import recorded_forces
@@ -185,7 +185,7 @@ def _coupled(run: CheckedRun, setup: Setup) -> tuple[SelfCheck, FrontMotion | No
         update={
             "channels": channels,
             "paths": paths,
-            "rebound_percent": error_percent(impactor.momentum[0] - impulse, left) if left != 0 else None,
+            "rebound_percent": percent_above(impactor.momentum[0] - impulse, left) if left != 0 else None,
             "within": check.within and quality.verdict == "pass",
             **contact_figures(run, check.groups, force),
         }

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from certkit.bench.channel_checks import FREQUENCY_CLASS, error_percent
+from certkit.bench.channel_checks import FREQUENCY_CLASS, percent_above
 from certkit.bench.tried_check import TITLES
 from certkit.documents.self_check import GroupCheck, SelfCheck
 from certkit.signals.cfc import cfc
@@ -113,7 +113,7 @@ def contact_figures(run: CheckedRun, groups: Sequence[GroupCheck], force: Values
     ]
     wrong = sum(abs((g.impulse or 0.0) - (g.run_impulse or 0.0)) for g in groups)
     return {
-        "force_percent": error_percent(*peaks),
-        "impulse_percent": error_percent(float(force.sum() * interval), wanted),
+        "force_percent": percent_above(*peaks),
+        "impulse_percent": percent_above(float(force.sum() * interval), wanted),
         "wrong_group_percent": 50.0 * wrong / wanted if wanted > 0 else None,
     }

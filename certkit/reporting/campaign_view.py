@@ -19,6 +19,7 @@ if TYPE_CHECKING:
         PointReport,
         SourceReport,
     )
+    from certkit.documents.result import Verdict
     from certkit.reporting.language import Language, Translate
 
 KINDS = {"measured": "measured", "finite elements": "FE", "lumped": "lumped", "predicted": "predicted"}
@@ -260,9 +261,7 @@ def point_shade(row: JudgedPoint) -> str:
         return "none"
     if row.maximum is not None:
         return share_shade((row.points or 0.0) / row.maximum)
-    if row.verdict == "pass":
-        return "s2" if (row.percent or 0.0) >= NEAR else "s1"
-    return {"fail": "s5", "conditional": "s3"}.get(row.verdict or "", "none")
+    return _verdict_shade(row.verdict, row.percent)
 
 
 def share_shade(share: float) -> str:
@@ -274,6 +273,10 @@ def criterion_shade(row: JudgedCriterion) -> str:
     """Return the shade of a value."""
     if row.share is not None:
         return share_shade(row.share)
-    if row.verdict == "pass":
-        return "s2" if (row.percent or 0.0) >= NEAR else "s1"
-    return {"fail": "s5", "conditional": "s3"}.get(row.verdict or "", "none")
+    return _verdict_shade(row.verdict, row.percent)
+
+
+def _verdict_shade(verdict: Verdict | None, percent: float | None) -> str:
+    if verdict == "pass":
+        return "s2" if (percent or 0.0) >= NEAR else "s1"
+    return {"fail": "s5", "conditional": "s3"}.get(verdict or "", "none")

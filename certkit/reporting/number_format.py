@@ -36,6 +36,11 @@ _MEANINGS = {
 }
 
 
+def verdict_class(verdict: str) -> str:
+    """Return the class by which style sheets know a verdict, such as `v-not-evaluated`."""
+    return "v-" + verdict.replace(" ", "-")
+
+
 def meaning(verdict: Verdict) -> str:
     """Return one sentence on what an overall verdict says."""
     return _MEANINGS[verdict]

@@ -65,7 +65,7 @@ def _environment(code: str) -> SandboxedEnvironment:
         "stamp_width": _stamp_width,
         "path": _path,
         "tied": _tied,
-        "slug_class": lambda verdict: "v-" + str(verdict).replace(" ", "-"),
+        "slug_class": words.verdict_class,
     }
     spoken = language(code)
     environment.filters["number_rows"] = partial(number_rows, word=spoken.word)

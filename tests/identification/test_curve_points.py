@@ -18,6 +18,7 @@ def slope_beyond(law: SpringLaw) -> float:
 def test_a_spring_that_softened_comes_to_an_end_with_its_steepest_secant() -> None:
     law = SpringLaw((0.0, 0.01, 0.02), (0.0, 1000.0, 400.0), Branch(5e5))
     assert slope_beyond(law) == pytest.approx(1e5)
+    assert continued(law).shortening[-1] == pytest.approx(1.5 * 0.02)
 
 
 def test_no_spring_is_stiffer_beyond_what_was_seen_than_where_it_unloads() -> None:

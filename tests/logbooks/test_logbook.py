@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import math
 import shutil
 import statistics
 from datetime import date, timedelta
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import pytest
@@ -191,6 +193,25 @@ def test_a_jump_is_outside_the_control_limits(tmp_path: Path):
     assert overview(kept(tmp_path, results), "C").trends[0].outside_control == [9]
 
 
+def test_control_limits_are_three_deviations_by_the_mean_moving_range(tmp_path: Path):
+    values = [250.0, 251.5, 249.8, 250.2, 252.9, 250.1]
+    results = [document("C", BEGIN + timedelta(days=n), n, "pendulum", v) for n, v in enumerate(values)]
+    trend = overview(kept(tmp_path, results), "C").trends[0]
+    moving = statistics.fmean(abs(b - a) for a, b in pairwise(values))
+    # ISO 7870-2: the mean range of two is 1.128 deviations.
+    assert trend.control_upper - trend.mean == pytest.approx(3 / 1.128 * moving, rel=1e-3)
+    assert trend.mean - trend.control_lower == pytest.approx(3 / 1.128 * moving, rel=1e-3)
+
+
+@pytest.mark.parametrize(("errors", "drifts"), [(1.9, [False]), (2.1, [True])])
+def test_a_slope_is_a_drift_from_two_standard_errors_on(tmp_path: Path, errors: float, drifts: list[bool]):
+    # What is left beside a line through eight days is ±1 and has no slope: the error is √(8/6/42).
+    beside = (1, -1, -1, 1, 1, -1, -1, 1)
+    values = [250.0 + errors * math.sqrt(8 / 6 / 42) * n + off for n, off in enumerate(beside)]
+    results = [document("C", BEGIN + timedelta(days=n), n, "pendulum", v) for n, v in enumerate(values)]
+    assert [trend.drifts for trend in overview(kept(tmp_path, results), "C").trends] == drifts
+
+
 def test_vehicle_tests_have_no_trend(logbook: Logbook):
     assert "vehicle" not in {trend.procedure for trend in overview(logbook, "A-1").trends}
 
@@ -287,16 +308,19 @@ def test_what_was_not_measured_is_never_booked_for_a_legform(tmp_path: Path, kin
     assert not list((tmp_path / "book").rglob("*.json"))
 
 
+@pytest.mark.parametrize("procedure", ["pendulum", "static-knee"])
 @pytest.mark.parametrize("verdict", ["fail", "conditional", "error"])
-def test_a_later_test_that_does_not_pass_takes_the_certification_back(tmp_path: Path, verdict: str):
+def test_a_later_test_that_does_not_pass_takes_the_certification_back(
+    tmp_path: Path, verdict: str, procedure: str
+):
     tests = [document("A-1", BEGIN, n, name, 250.0) for n, name in enumerate(CERTIFICATIONS)]
-    later = document("A-1", BEGIN + timedelta(days=3), 9, "pendulum", 250.0)
+    later = document("A-1", BEGIN + timedelta(days=3), 9, procedure, 250.0)
     later = later.model_copy(update={"verdict": verdict, "id": ""}).with_id()
     assert overview(kept(tmp_path / "before", tests), "A-1").state == "valid"
     leg = overview(kept(tmp_path / "after", [*tests, later]), "A-1")
     assert leg.state == "revoked"
     assert any(f"ended in `{verdict}`" in line.why for line in leg.validity)
-    mended = document("A-1", BEGIN + timedelta(days=4), 10, "pendulum", 250.0)
+    mended = document("A-1", BEGIN + timedelta(days=4), 10, procedure, 250.0)
     assert overview(kept(tmp_path / "mended", [*tests, later, mended]), "A-1").state == "valid"
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.definitions.part_selection import AXES
 from certkit.errors import DataError
 from certkit.exchange.fe.binout_files import BinoutFiles
 from certkit.exchange.fe.binout_tables import BinoutTables
@@ -28,7 +29,6 @@ ENERGIES = {
     "total": "total_energy",
 }
 """Energy → its variable in `glstat`."""
-AXES = ("x", "y", "z")
 
 
 class BinoutRun(RunOfObjects):

@@ -8,7 +8,7 @@ from certkit.definitions.measures import MEASURES
 from certkit.reporting import palette
 from certkit.reporting.charts.axes import Frame
 from certkit.reporting.language import english
-from certkit.reporting.number_format import criterion_decimals, fixed, milliseconds, named
+from certkit.reporting.number_format import criterion_decimals, fixed, milliseconds, named, verdict_class
 from certkit.reporting.scales import span, thinned
 from certkit.reporting.svg import Drawing, label, path, tag
 
@@ -66,7 +66,7 @@ def history_chart(
     head = _head(criterion, series.unit, t) if peak else series.unit
     drawn = shade + frame.axes(named(name, series.title), "ms", "" if peak else head)
     if peak and criterion:
-        css = "head v-" + criterion.verdict.replace(" ", "-")
+        css = f"head {verdict_class(criterion.verdict)}"
         drawn += label(frame.right, 14, head, text_anchor="end", font_weight="600", class_=css)
     curve = thinned(list(zip(axis, series.values, strict=False)))
     drawn += tag(
@@ -141,7 +141,7 @@ def _head(criterion: CriterionResult | None, unit: str, t: Translate) -> str:
 def _peak(frame: Frame, criterion: CriterionResult, peak: tuple[float, float]) -> str:
     x, y = frame.place(*peak)
     colour = palette.VERDICT[criterion.verdict]
-    css = "v-" + criterion.verdict.replace(" ", "-")
+    css = verdict_class(criterion.verdict)
     return tag(
         "circle", cx=x, cy=y, r=3.6, fill=palette.PAPER, stroke=colour, stroke_width=2, class_=f"peak {css}"
     )

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting.charts.chosen import chosen
 from certkit.reporting.charts.grid import side_by_side, together
-from certkit.reporting.charts.lines import Line, lines_chart
+from certkit.reporting.charts.lines import Line, lines_chart, pressed
 from certkit.reporting.language import Translate, english
 from certkit.reporting.palette import GROUP_PENS
 
@@ -94,7 +94,7 @@ def path_charts(
     forces: list[Line] = [(t("from momentum"), times, path.force)]
     if path.recorded_force is not None:
         forces.append((t("recorded contact"), times, path.recorded_force))
-    shortening, pushed = _pushing([v * 1e3 for v in path.shortening], path.force)
+    shortening, pushed = pressed([v * 1e3 for v in path.shortening], path.force)
     laws: list[Line] = [("history", shortening, pushed)]
     if path.law:
         law = ([v * 1e3 for v in path.law.shortening], path.law.force)
@@ -126,20 +126,13 @@ def material_chart(material: MaterialResult, t: Translate = english) -> Drawing:
     """Draw the stress found over strain, beside the material's own curve where there is one."""
     lines: list[Line] = [(t("extracted"), material.strain, [v / 1e6 for v in material.stress])]
     if material.unloading_strain:
-        unloading = _pushing(material.unloading_strain, material.unloading_stress)
+        unloading = pressed(material.unloading_strain, material.unloading_stress)
         lines.append((t("extracted, unloading"), unloading[0], [v / 1e6 for v in unloading[1]]))
     if material.reference_strain:
         farthest = 1.1 * max(material.strain, default=0.0)
         own = _up_to(farthest, material.reference_strain, material.reference_stress)
         lines.append((t("material's own curve"), own[0], [v / 1e6 for v in own[1]]))
     return lines_chart(lines, t("Stress over strain"), t("engineering strain"), "MPa")
-
-
-def _pushing(xs: Sequence[float], ys: Sequence[float]) -> tuple[list[float], list[float]]:
-    """Leave out how two groups fly apart: far, and without a force worth drawing."""
-    least = 0.01 * max((abs(y) for y in ys), default=0.0)
-    kept = [(x, y) for x, y in zip(xs, ys, strict=True) if x >= 0 or abs(y) > least]
-    return [x for x, _ in kept], [y for _, y in kept]
 
 
 def _up_to(end: float, xs: Sequence[float], ys: Sequence[float]) -> tuple[list[float], list[float]]:

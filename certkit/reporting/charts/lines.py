@@ -115,3 +115,11 @@ def _legend(lines: Sequence[Line], title: str, width: float) -> list[tuple[int, 
         found.append((row, place))
         place += length
     return found
+
+
+def pressed(xs: Sequence[float], ys: Sequence[float]) -> tuple[list[float], list[float]]:
+    """Leave out of a force over shortening how two groups fly apart: far, and without a force to draw."""
+    least = 0.01 * max((abs(y) for y in ys), default=0.0)
+    kept = [(x, y) for x, y in zip(xs, ys, strict=True) if x >= 0 or abs(y) > least]
+    kept = kept or list(zip(xs, ys, strict=True))[:1]
+    return [x for x, _ in kept], [y for _, y in kept]

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
-from certkit.reporting.number_format import corridor, fixed
+from certkit.reporting.number_format import corridor, fixed, verdict_class
 from certkit.reporting.scales import Scale
 from certkit.reporting.svg import Drawing, path, tag
 
@@ -95,7 +95,7 @@ def _whisker(scale: Scale, low: float, high: float) -> str:
 
 def _pointer(x: float, colour: str, verdict: str) -> str:
     """Draw a stem with a head; an arrow where the value lies beyond the bar."""
-    css = "v-" + verdict.replace(" ", "-")
+    css = verdict_class(verdict)
     if x < _LEFT or x > _RIGHT:
         tip, back = (1.0, 7.0) if x < _LEFT else (WIDTH - 1, WIDTH - 7)
         head = [(tip, _MIDDLE), (back, _MIDDLE - 5.5), (back, _MIDDLE + 5.5)]

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from certkit.reporting import palette
 from certkit.reporting.charts.channel_history import limits_of, peak_of
+from certkit.reporting.number_format import verdict_class
 from certkit.reporting.scales import Scale, span, thinned
 from certkit.reporting.svg import Drawing, path, tag
 
@@ -69,6 +70,6 @@ def _draw(
     )
     if peak:
         colour = palette.VERDICT[criterion.verdict]
-        css = "v-" + criterion.verdict.replace(" ", "-")
+        css = verdict_class(criterion.verdict)
         drawn += tag("circle", cx=x(peak[0]), cy=y(peak[1]), r=2.6, fill=colour, class_=css)
     return Drawing(WIDTH, HEIGHT, drawn, criterion.id, css_class="spark")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from certkit.reporting import palette
 from certkit.reporting.charts.chosen import chosen
 from certkit.reporting.charts.grid import together
-from certkit.reporting.charts.lines import Line, lines_chart
+from certkit.reporting.charts.lines import Line, lines_chart, pressed
 from certkit.reporting.coupled_check import check_of, group_of
 from certkit.reporting.language import Translate, english
 
@@ -54,8 +54,8 @@ def spring_chart(result: ExtractionResult, path: PathResult, t: Translate = engl
         return None
     top = max(range(len(xs)), key=lambda k: xs[k])
     lines: list[Line] = [
-        (t("run"), *_pressed(xs[: top + 1], path.force[: top + 1])),
-        (t("run, back"), *_pressed(xs[top:], path.force[top:])),
+        (t("run"), *pressed(xs[: top + 1], path.force[: top + 1])),
+        (t("run, back"), *pressed(xs[top:], path.force[top:])),
     ]
     pens = [PENS[0], PENS[1]]
     farthest = max(xs[top], 1e3 * check.largest if check else 0.0)
@@ -63,7 +63,7 @@ def spring_chart(result: ExtractionResult, path: PathResult, t: Translate = engl
         lines.append((t("law"), *_law(path.law, 1e-3 * farthest)))
         pens.append(PENS[2])
     if check:
-        lines.append((t("model"), *_pressed([1e3 * x for x in check.shortening], check.force)))
+        lines.append((t("model"), *pressed([1e3 * x for x in check.shortening], check.force)))
         pens.append(PENS[3])
     beyond = xs[top] if farther(result, path) else None
     return lines_chart(
@@ -164,11 +164,3 @@ def _sheet_chart(
         pens=pens,
         beyond=beyond,
     )
-
-
-def _pressed(xs: Sequence[float], ys: Sequence[float]) -> tuple[list[float], list[float]]:
-    """Leave out how two groups fly apart: far, and without a force worth drawing."""
-    least = 0.01 * max((abs(y) for y in ys), default=0.0)
-    kept = [(x, y) for x, y in zip(xs, ys, strict=True) if x >= 0 or abs(y) > least]
-    kept = kept or list(zip(xs, ys, strict=True))[:1]
-    return [x for x, _ in kept], [y for _, y in kept]
