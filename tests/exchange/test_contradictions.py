@@ -138,10 +138,10 @@ def test_an_amplitude_class_is_read_in_its_own_unit(mme: Path):
 
 def test_samples_must_reach_the_extremes_that_the_header_states(mme: Path):
     line = "First global maximum value   :{}\nData status"
-    change(mme / CHANNEL, "Data status", line.format("250"))
+    change(mme / CHANNEL, "Data status", line.format("252"))
     assert "T1" in read_recording(mme).recording
-    change(mme / CHANNEL, ":250\n", ":280\n")
-    with pytest.raises(DataError, match=r"leg\.001:\d+: .* is 280, but that of the samples is 250 Nm"):
+    change(mme / CHANNEL, ":252\n", ":253\n")
+    with pytest.raises(DataError, match=r"leg\.001:\d+: .* is 253, but that of the samples is 250 Nm"):
         read_recording(mme)
 
 
