@@ -10,14 +10,26 @@ from certkit.documents.self_check import ChannelCheck
 from certkit.signals.cfc import cfc
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from numpy.typing import NDArray
+
     from certkit.exchange.fe import FrontData
     from certkit.mechanics import Simulation
+
+    Values = NDArray[np.float64]
 
 FREQUENCY_CLASS = 180.0
 """CFC of peaks and curves."""
 
 POINTS = 200
 """Of a series that is kept."""
+
+OPPOSITE = 0.5
+"""Cosine between two curves from which on they go opposite ways."""
+
+CONFUSED = 10.0
+"""By how much two curves differ when their units are not the same."""
 
 
 def channel_checks(
@@ -35,15 +47,9 @@ def channel_checks(
         First contact and the checks' end on the run's time axis, s.
     """
     interval = done.recording.interval
-    time = done.recording.time
-    time = time[time + start <= until]
-    every = max(1, time.size // POINTS)
     checks = []
-    for name, values in data.histories.leg.items():
-        if name not in done.recording.channels:
-            continue
-        wanted = cfc(np.interp(time + start, data.histories.time, values), interval, FREQUENCY_CLASS)
-        got = cfc(done.recording[name].values, interval, FREQUENCY_CLASS)[: time.size]
+    for name, time, got, wanted in _curves(data, done, start, until):
+        every = max(1, time.size // POINTS)
         i, j = int(np.argmax(got)), int(np.argmax(wanted))
         largest = float(wanted[j])
         if largest <= 0:
@@ -64,6 +70,56 @@ def channel_checks(
             )
         )
     return tuple(sorted(checks, key=lambda c: -c.rms_percent))
+
+
+def channel_remarks(data: FrontData, done: Simulation, *, start: float, until: float) -> list[str]:
+    """Return what tells that channels of the run have another sign or unit than the leg's own.
+
+    Parameters
+    ----------
+    data : FrontData
+        The run's histories.
+    done : Simulation
+        Of the leg under the run's own contact forces, time zero at first contact.
+    start, until : float
+        First contact and the checks' end on the run's time axis, s.
+    """
+    turned, scaled = [], []
+    for name, _, got, wanted in _curves(data, done, start, until):
+        own, largest = float(np.abs(got).max()), float(np.abs(wanted).max())
+        if min(own, largest) <= 0:
+            continue
+        if float(np.dot(got, wanted)) < -OPPOSITE * float(np.linalg.norm(got) * np.linalg.norm(wanted)):
+            turned.append(name)
+        elif not 1 / CONFUSED < largest / own < CONFUSED:
+            scaled.append(f"{name} ({largest / own:.3g} times the leg's)")
+    said = []
+    if turned:
+        said.append(
+            f"under the run's own contact forces the leg's {', '.join(turned)} goes the other way than in "
+            "the run: turn the sign of its column (positive is tension on the far side, and a ligament that "
+            "grows longer)"
+        )
+    if scaled:
+        said.append(
+            f"under the run's own contact forces the leg is far from the run's {', '.join(scaled)}: is the "
+            "column in the unit of its name?"
+        )
+    return said
+
+
+def _curves(
+    data: FrontData, done: Simulation, start: float, until: float
+) -> Iterator[tuple[str, Values, Values, Values]]:
+    """Yield the channels that both have: name, time from first contact, filtered values of model and run."""
+    interval = done.recording.interval
+    time = done.recording.time
+    time = time[time + start <= until]
+    for name, values in data.histories.leg.items():
+        if name in done.recording.channels:
+            wanted = cfc(np.interp(time + start, data.histories.time, values), interval, FREQUENCY_CLASS)
+            got = cfc(done.recording[name].values, interval, FREQUENCY_CLASS)[: time.size]
+            yield name, time, got, wanted
 
 
 def percent_above(value: float, reference: float) -> float:

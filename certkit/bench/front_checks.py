@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
-from certkit.bench.channel_checks import channel_checks, percent_above
+from certkit.bench.channel_checks import channel_checks, channel_remarks, percent_above
 from certkit.bench.checked_run import CheckedRun
 from certkit.bench.contact_check import contact_alone, leg_nodes
 from certkit.bench.contact_places import recorded_forces
@@ -93,14 +93,14 @@ def self_checks(
     if not data.histories.leg:  # the impactor was no leg, or nothing is known of it
         return HeldToRun(tuple(checks))
     tell("self-check: the leg alone")
-    checks.append(tried("leg alone", axis, run.until, lambda: _leg_alone(run, setup)))
+    beyond: list[str] = []
+    checks.append(tried("leg alone", axis, run.until, lambda: _leg_alone(run, setup, beyond)))
     nodes = leg_nodes(data.motion)
     if nodes is not None:
         tell("self-check: the contact alone")
         checks.append(tried("contact alone", axis, run.until, lambda: contact_alone(run, setup, nodes)))
     tell("self-check: leg and front")
     motions: list[FrontMotion | None] = [None]
-    beyond: list[str] = []
 
     def coupled() -> SelfCheck:
         check, motions[0], said = _coupled(run, setup)
@@ -124,7 +124,8 @@ def _front_alone(run: CheckedRun, setup: Setup) -> SelfCheck:
     return group_checks(run, "front alone", moved)
 
 
-def _leg_alone(run: CheckedRun, setup: Setup) -> SelfCheck:
+def _leg_alone(run: CheckedRun, setup: Setup, remarks: list[str]) -> SelfCheck:
+    """Return the check; add to the remarks what the run's own channels contradict."""
     from certkit.mechanics import simulate  # noqa: PLC0415  # a solver, only here
 
     flesh = setup.legform.flesh
@@ -137,6 +138,8 @@ def _leg_alone(run: CheckedRun, setup: Setup) -> SelfCheck:
     done = simulate(setup.procedure, setup.legform, driven=forces)
     start, interval, _ = run.axis
     begun = run.result.start + done.run.contact
+    if run.result.closed is not False:  # else the forces are not the run's
+        remarks += channel_remarks(run.data, done, start=begun, until=run.until)
     return SelfCheck(
         id="leg alone",
         title=TITLES["leg alone"],

@@ -8,6 +8,7 @@ import numpy as np
 from msgspec import Struct
 
 from certkit.errors import DataError
+from certkit.exchange.fe.plausible_nodes import require_same_run
 from certkit.identification.balance import Flow, flows, group_masses, group_momenta
 from certkit.identification.displacement import group_displacements
 from certkit.identification.folding_outlines import FoldingOutlines, folding_outlines
@@ -71,6 +72,8 @@ def first_steps(case: Case, data: FrontData) -> FirstSteps:
                 f"{histories.source}: the impactor `{name}` moves towards -x, but +x leads into the car; "
                 "turn the sign of everything along x: momenta, impulses, forces, displacements, places"
             )
+    if data.motion is not None:
+        require_same_run(data.motion, histories, data.faces)
     moved = group_displacements(case, graph, histories, grid)
     kinds = {name: group.kind for name, group in case.groups.items()}
     return FirstSteps(
@@ -84,3 +87,15 @@ def first_steps(case: Case, data: FrontData) -> FirstSteps:
         moved,
         {} if data.motion is None else folding_outlines(graph, kinds, data.motion, moved, grid),
     )
+
+
+def missing_impactor(steps: FirstSteps) -> list[str]:
+    """Warn of a case whose impactor is not called one: nothing would be held to its run."""
+    if any(group.kind == "impactor" for group in steps.case.groups.values()):
+        return []
+    begun = {name: abs(float(p[0])) for name, p in steps.momenta.items()}
+    fastest = max(begun, key=lambda name: begun[name])
+    if begun[fastest] <= 0:
+        return []
+    said = f"{fastest}: moves at the start and is no impactor, so the front is not held to its run"
+    return [f"{said}; write `kind: impactor`"]

@@ -8,14 +8,16 @@ from certkit._version import __version__
 from certkit.documents.extraction import ExtractionResult, MaterialResult
 from certkit.errors import DataError
 from certkit.exchange.fe import FrontData, read_case_data
+from certkit.exchange.fe.plausible_nodes import node_remarks
 from certkit.identification.closures import closes, closure_warnings, end_warnings
 from certkit.identification.displacement import shortening
 from certkit.identification.extraction_parts import group_result, path_result
-from certkit.identification.first_steps import FirstSteps, first_steps
+from certkit.identification.first_steps import FirstSteps, first_steps, missing_impactor
 from certkit.identification.material import MOST_SPREAD, convert, front_spread, parse_area
 from certkit.identification.part_groups import left_over
 from certkit.identification.path_laws import path_laws
 from certkit.identification.rate_check import material_remark, rate_remarks
+from certkit.identification.record_names import misnamed_records
 from certkit.identification.vehicle_file import loose_groups
 
 if TYPE_CHECKING:
@@ -60,11 +62,14 @@ def extract(
         progress("reading histories")
         data = read_case_data(case.histories, folder)
     steps = first_steps(case, data)
-    warnings: list[str] = []
+    warnings: list[str] = missing_impactor(steps)
     notes = [*case.notes, *steps.data.histories.notes]
     forgotten, noted = left_over(steps.graph.groups, steps.data.histories, steps.data.faces)
     warnings += forgotten
+    if steps.data.motion is not None:
+        warnings += node_remarks(steps.data.motion, steps.data.histories, steps.data.faces)
     notes += noted
+    warnings += misnamed_records(steps.graph, steps.data.histories)
     fits, sheets = path_laws(steps, warnings, notes, progress)
     rate_remarks(fits, steps, warnings, notes)
     warnings += [*closure_warnings(steps), *end_warnings(steps)]

@@ -35,6 +35,11 @@ def vehicle_text(result: ExtractionResult) -> str:
     loose = loose_groups(result.groups, result.paths)
     groups = [g for g in result.groups if g.kind != "impactor" and g.name not in held | loose]
     if not any(g.position is not None for g in groups):
+        if any(g.position is not None and g.name in loose for g in result.groups):
+            raise DataError(
+                "from no group with a face a path that carries a force leads to the ground: the leg would "
+                "push the front away; add the paths to `ground`"
+            )
         raise DataError(
             "no group has a face (low, high, position): the leg would hit nothing; add faces to the case"
         )

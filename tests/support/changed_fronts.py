@@ -6,6 +6,7 @@ import csv
 import gzip
 import io
 import json
+import re
 import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -37,6 +38,16 @@ def change(path: Path, of_rows: Callable[[Rows], Rows], also: Sequence[str] = ()
     writer.writeheader()
     writer.writerows(rows)
     path.write_text(out.getvalue())
+
+
+def turn_columns(path: Path, columns: str, by: Callable[[float], float]) -> None:
+    """Change every number of the columns whose names match a pattern."""
+
+    def turned(rows: Rows) -> Rows:
+        chosen = {c for c in rows[0] if re.fullmatch(columns, c)}
+        return [{c: f"{by(float(v)):.9g}" if c in chosen and v else v for c, v in r.items()} for r in rows]
+
+    change(path, turned)
 
 
 def raised(folder: Path, by: float) -> None:

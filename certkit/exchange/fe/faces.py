@@ -76,6 +76,7 @@ def read_faces(table: Path, outlines: Path | None) -> tuple[dict[str, Face], dic
     if outlines is not None:
         lines, digests[str(outlines)] = _outlines(outlines)
     faces = {}
+    spans: list[tuple[float, float]] = []
     for number, row in enumerate(rows, start=2):
         name = row.get("group", "")
         place = f"{table}:{number}"
@@ -97,8 +98,14 @@ def read_faces(table: Path, outlines: Path | None) -> tuple[dict[str, Face], dic
                 f"{place}: `{name}` ends at {high:g} mm, below where it begins ({low:g} mm); correct "
                 "`z_low_mm` or `z_high_mm`"
             )
+        spans.append((low, high))
         position, slope = _line(low, high, lines, row, place)
         faces[name] = Face(mass, low * 1e-3, high * 1e-3, position * 1e-3, slope, centre)
+    if lines and spans and not any(_covered(line, *span) > 0 for line in lines for span in spans):
+        raise DataError(
+            f"{outlines}: no outline reaches the height of any face of {table}; give both in mm above the "
+            "ground"
+        )
     return faces, digests
 
 
@@ -124,7 +131,7 @@ def _line(
     """Fit a line to the outline over the span; without an outline take the table's middle and no slope."""
     best, share = None, 0.0
     for line in lines:
-        covered = min(high, line[-1, 1]) - max(low, line[0, 1])
+        covered = _covered(line, low, high)
         if covered > share:
             best, share = line, covered
     if best is None:
@@ -138,6 +145,11 @@ def _line(
     z = np.linspace(max(low, best[0, 1]), min(high, best[-1, 1]), 41)
     slope, offset = np.polyfit(z, np.interp(z, best[:, 1], best[:, 0]), 1)
     return float(offset + slope * 0.5 * (low + high)), float(slope)
+
+
+def _covered(line: NDArray[np.float64], low: float, high: float) -> float:
+    """Return how much of a height span an outline covers, mm; negative where it does not reach it."""
+    return float(min(high, line[-1, 1]) - max(low, line[0, 1]))
 
 
 def _number(row: Mapping[str, str], column: str, place: str) -> float | None:

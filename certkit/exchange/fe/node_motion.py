@@ -29,10 +29,13 @@ class NodeMotion(Struct, frozen=True):
     time : ndarray, shape (n,)
     places : dict of str to dict of str to ndarray, shape (n, 2)
         (x, z) over time by node, by the part or line that the node belongs to.
+    source : str
+        The file.
     """
 
     time: Values
     places: dict[str, dict[str, Values]]
+    source: str = ""
 
 
 def read_node_motion(path: Path) -> tuple[NodeMotion, str]:
@@ -80,4 +83,4 @@ def read_node_motion(path: Path) -> tuple[NodeMotion, str]:
         places.setdefault(line, {})[node] = table[:, 1:]
     if time is None or time.size < 3 or np.any(np.diff(time) <= 0):
         raise DataError(f"{path}: too few instants, or an instant twice; export it again")
-    return NodeMotion(time, places), digest
+    return NodeMotion(time, places, str(path)), digest

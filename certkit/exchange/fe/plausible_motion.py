@@ -15,7 +15,9 @@ from certkit.errors import DataError
 from certkit.exchange.fe.integral import running_integral
 
 if TYPE_CHECKING:
-    from certkit.exchange.fe.histories import PartHistories
+    from collections.abc import Mapping
+
+    from certkit.exchange.fe.histories import PartHistories, Values
 
 SHORTEST, LONGEST = 5e-4, 5.0
 """s: what histories of an impact may span."""
@@ -27,6 +29,12 @@ FACTOR = 2.0
 """By how much the largest displacements may differ: a crushed foam's mass and centre drift."""
 
 LEAST_CORRELATION = 0.7
+
+CONFUSED = 10.0
+"""By how much the movements of a part's front and of its centre differ when their units are not the same."""
+
+FRONT_STILL = 0.1
+"""Share of the largest movement of a front below which a front is not held against its part's centre."""
 
 STILL = 5e-3
 """Share of the largest displacement of all parts below which a part's motion is not judged."""
@@ -76,4 +84,26 @@ def require_plausible(histories: PartHistories) -> None:
                 f"{histories.source}: part `{name}` moves by {1e3 * told:.4g} mm, its momentum over its mass "
                 f"gives {1e3 * wanted:.4g} mm{other}; check the units and signs of its columns, `units`, and "
                 "its mass"
+            )
+    _require_fronts(histories, moved)
+
+
+def _require_fronts(histories: PartHistories, moved: Mapping[str, Values]) -> None:
+    """Refuse a front that goes the other way than its part's centre, or in another unit."""
+    fronts = {
+        name: part.front - part.front[0] for name, part in histories.parts.items() if part.front is not None
+    }
+    largest = max((float(np.abs(x).max()) for x in fronts.values()), default=0.0)
+    largest = max(largest, *(float(np.abs(x).max()) for x in moved.values()), 0.0)
+    for name, front in fronts.items():
+        told, centre = float(np.abs(front).max()), moved.get(name)
+        wanted = 0.0 if centre is None else float(np.abs(centre).max())
+        if centre is None or max(told, wanted) <= FRONT_STILL * largest:
+            continue
+        course = float(np.corrcoef(front, centre)[0, 1]) if min(told, wanted) > 0 else 0.0
+        if course < 0 or not 1 / CONFUSED < told / wanted < CONFUSED:
+            other = ", the other way" if course < 0 else ""
+            raise DataError(
+                f"{histories.source}: the front of part `{name}` moves by {1e3 * told:.4g} mm{other}, its "
+                f"centre by {1e3 * wanted:.4g} mm; check the units and signs of their columns"
             )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
 from msgspec import Struct
 from msgspec.structs import replace
 
@@ -18,6 +19,10 @@ from certkit.exchange.fe.readers import read_format
 if TYPE_CHECKING:
     from certkit.definitions.extraction_case import HistoryFiles
     from certkit.exchange.fe.histories import PartHistories, PartHistory, Values
+
+
+PLACE, PLACE_SHARE = 1e-3, 0.01
+"""m, and share of its range: a displacement that begins with more is a place."""
 
 
 class FrontData(Struct, frozen=True):
@@ -71,6 +76,11 @@ def read_case_data(section: HistoryFiles, folder: Path) -> FrontData:
         name: _with_momentum(_completed(part, faces.get(name)), histories.time)
         for name, part in histories.parts.items()
     }
+    moved_on = [name for name, part in parts.items() if _begins_elsewhere(part)]
+    if moved_on:
+        parts.update({name: _from_its_start(parts[name]) for name in moved_on})
+        named = ", ".join(moved_on)
+        notes = (*notes, f"displacements that are not zero at the start count from there: {named}")
     by_velocity = [name for name, part in parts.items() if part.velocity is not None]
     if by_velocity:
         notes = (*notes, f"momenta are masses times velocities: {', '.join(by_velocity)}")
@@ -114,6 +124,23 @@ def _with_momentum(part: PartHistory, time: Values) -> PartHistory:
         part,
         momentum=part.mass * part.velocity,
         displacement=moved if part.displacement is None else part.displacement,
+    )
+
+
+def _begins_elsewhere(part: PartHistory) -> bool:
+    """Tell whether a history of displacements begins as one of places would."""
+    return any(
+        x is not None and abs(float(x[0])) > max(PLACE, PLACE_SHARE * float(np.ptp(x)))
+        for x in (part.displacement, part.front)
+    )
+
+
+def _from_its_start(part: PartHistory) -> PartHistory:
+    displacement, front = part.displacement, part.front
+    return replace(
+        part,
+        displacement=None if displacement is None else displacement - displacement[0],
+        front=None if front is None else front - front[0],
     )
 
 
