@@ -9,12 +9,13 @@ import pytest
 from support.synthetic_campaign import campaign
 from support.synthetic_result import parsed
 
-from certkit.documents.campaign_report import CampaignReport
+from certkit.documents.campaign_report import CampaignReport, JudgedCriterion
+from certkit.documents.result import Verdict
 from certkit.reporting.campaign_csv import campaign_csv
 from certkit.reporting.campaign_junit import campaign_junit
 from certkit.reporting.campaign_page import campaign_page
 from certkit.reporting.campaign_text import campaign_text
-from certkit.reporting.campaign_view import CampaignView
+from certkit.reporting.campaign_view import CampaignView, criterion_shade
 from certkit.reporting.charts.car_front import car_front
 
 
@@ -38,6 +39,17 @@ def test_the_page_shows_every_point_and_runs_nothing_of_it(document: CampaignRep
     assert "<script" not in page
     for name in ("L-2", "L-1", "L0", "L+1", "L+2", "=L+3"):
         assert f"<b>{name}</b>" in page
+
+
+@pytest.mark.parametrize(
+    ("percent", "verdict", "shade"),
+    [(89.0, "pass", "s1"), (91.0, "pass", "s2"), (99.0, "conditional", "s3"), (101.0, "fail", "s5")],
+)
+def test_a_value_is_shaded_by_its_verdict_and_from_90_percent_of_its_limit_on(
+    percent: float, verdict: Verdict, shade: str
+):
+    row = JudgedCriterion(id="T1", unit="N·m", limit=340.0, percent=percent, verdict=verdict)
+    assert criterion_shade(row) == shade
 
 
 def test_the_car_carries_a_mark_a_point_in_its_place(document: CampaignReport):

@@ -141,7 +141,7 @@ def test_the_suite_has_a_line_with_verdict_margin_and_curve_for_each_procedure(
     pendulum: Result, measured: Result
 ):
     html = suite_of([pendulum, measured])
-    index = html[html.index("plain index") : html.index("<article")]
+    index = html[html.index("plain index") : html.index("<article")].replace("\u00a0", " ")
     assert index.count("<tr>") == 3
     assert "T4: 2.3 N·m inside 90 – 111" in index
     assert "T4: 1.4 N·m outside 90 – 111" in index
