@@ -35,6 +35,8 @@ ACTIVE = (
     b"/Encrypt",
     b"/PieceInfo",
     b"/Alternates",
+    b"/Thumb",
+    b"/Trans",
     b"/OPI",
     b"/Collection",
     b"/UserUnit",

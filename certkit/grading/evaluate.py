@@ -17,6 +17,7 @@ from certkit.grading.grading_terms import (
     SimulatedTerms,
 )
 from certkit.grading.interval_edge import interval_edge
+from certkit.grading.laboratory_doubts import laboratory_doubts
 from certkit.grading.overall_verdict import overall
 from certkit.grading.preconditions import grade_preconditions
 from certkit.grading.reference_errors import compare
@@ -95,6 +96,7 @@ def evaluate(
         comparison=comparison,
         oddities=[
             *assumptions(recording),
+            *laboratory_doubts(laboratory, criteria, preconditions, recording.table),
             *measured.remarks,
             *interval_edge(measured, criteria),
             *simulated.bounds,

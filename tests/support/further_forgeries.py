@@ -162,6 +162,10 @@ def _alternate(opened: pikepdf.Pdf) -> None:
     opened.pages[0].contents_add(opened.make_stream(b"q 1 0 0 1 300 400 cm /Seal Do Q"), prepend=False)
 
 
+def _thumbnail(opened: pikepdf.Pdf) -> None:
+    opened.pages[0].Thumb = _picture(opened, b"\x00\xff\x00")
+
+
 def _by_another_engine(operators: bytes) -> Callable[[pikepdf.Pdf], None]:
     """Paint, and say that another WeasyPrint has made the pages: its version is no part of the id."""
 
@@ -297,6 +301,7 @@ PAPERS = [
     Forgery(
         "another picture when printed", "pdf", pdf(_alternate), "^(file.*active-content|pages.*page-picture)"
     ),
+    Forgery("another picture in the list of pages", "pdf", pdf(_thumbnail), "^file.*active-content"),
     Forgery(
         "watermark, by another WeasyPrint",
         "pdf",
