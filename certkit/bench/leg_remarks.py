@@ -1,4 +1,8 @@
-"""What is to be said of a leg that its model passes over: cables that came tight, a knee not at rest."""
+"""What is to be said of a simulated test that its verdict passes over.
+
+Steel cables that came tight, a knee that is not at rest, a rig or a leg that no such test would be made with,
+a leg that falls through the ground.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +11,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from certkit.definitions.fixtures.free_flight import FreeFlight
 from certkit.definitions.legform import KNEE, WHOLE
+from certkit.grading.preconditions import grade_precondition
 from certkit.reasons import Reason
 
 if TYPE_CHECKING:
@@ -20,7 +26,47 @@ BALANCED = 1e-3
 
 def leg_remarks(setup: Setup, simulation: Simulation) -> list[Reason]:
     """Return the remarks on the leg of a run."""
-    return [*_tight_cables(setup, simulation), *_knee_at_rest(setup)]
+    return [
+        *_outside_conditions(setup),
+        *_through_the_ground(setup, simulation),
+        *_tight_cables(setup, simulation),
+        *_knee_at_rest(setup),
+    ]
+
+
+def _outside_conditions(setup: Setup) -> list[Reason]:
+    """Tell what the procedure's preconditions would not let to the test, as they would not a real one."""
+    known: dict[str, float] = {}
+    for fixture in setup.procedure.rig.fixtures():
+        known |= fixture.settings()
+    legform = setup.legform
+    if setup.procedure.specimen.part == WHOLE:
+        mass = float(legform.knee.mass) + sum(float(part.mass) for part in legform.parts.values())
+        fitted = setup.procedure.specimen.flesh == "fitted"
+        known["legform mass"] = mass + (float(legform.flesh.mass) if fitted else 0.0)
+    said = []
+    for precondition in setup.procedure.preconditions:
+        value = known.get(precondition.quantity)
+        reason = None if value is None else grade_precondition(precondition, value).coded_reason
+        if reason is not None:
+            said.append(Reason.of("model-outside-condition", **reason.parameters))
+    return said
+
+
+def _through_the_ground(setup: Setup, simulation: Simulation) -> list[Reason]:
+    """Tell a leg that falls farther than its flight begins above the ground, which no model has."""
+    flight = setup.procedure.rig.fixture(FreeFlight)
+    if flight is None:
+        return []
+    run, leg = simulation.run, simulation.rig.leg
+    _, place, angle = run.frames[:, leg.bodies[-1]].T
+    end = place + np.cos(angle) * (leg.bottom - leg.centres[-1])
+    below = end[0] - end - float(flight.end_above_ground)
+    first = np.flatnonzero(below > 0)
+    if not first.size:
+        return []
+    time = 1e3 * (float(run.frame_time[first[0]]) - run.contact)
+    return [Reason.of("leg-below-ground", depth=1e3 * float(below.max()), time=time)]
 
 
 def _tight_cables(setup: Setup, simulation: Simulation) -> list[Reason]:

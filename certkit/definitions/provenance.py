@@ -5,6 +5,7 @@ was written in, its source and how far that source can be trusted. Code that cal
 float.
 """
 
+import math
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self, cast, get_args
 
@@ -33,7 +34,7 @@ NEVER_NEGATIVE = NEVER_ZERO | {
     "stiffness",
 }
 
-Bound = Literal["above zero", "zero or above", "from 0 to 1"]
+Bound = Literal["above zero", "zero or above", "from 0 to 1", "within 90 deg"]
 """What a number has to keep where its field says so, whatever its dimension allows elsewhere."""
 
 MIN_SOURCE = 3  # letters; less names nothing
@@ -69,6 +70,8 @@ def within(number: float, bound: Bound | None) -> bool:
         return True
     if bound == "above zero":
         return number > 0.0
+    if bound == "within 90 deg":
+        return abs(number) <= math.radians(90) * (1 + 1e-12)
     return number >= 0.0 and (bound == "zero or above" or number <= 1.0)
 
 

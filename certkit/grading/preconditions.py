@@ -35,7 +35,7 @@ def grade_preconditions(
         When a precondition's limits have units that do not fit its dimension.
     """
     return [
-        _grade(precondition, recording.conditions.get(precondition.quantity))
+        grade_precondition(precondition, recording.conditions.get(precondition.quantity))
         for precondition in preconditions
         if _applies(precondition, recording.kind)
     ]
@@ -48,7 +48,8 @@ def _applies(precondition: Precondition, kind: RecordingKind) -> bool:
     return precondition.applies_to in {"both", kind}
 
 
-def _grade(precondition: Precondition, value: float | None) -> PreconditionResult:
+def grade_precondition(precondition: Precondition, value: float | None) -> PreconditionResult:
+    """Hold one condition (SI) against what is asked of it."""
     lower, upper = (_read(precondition, text) for text in precondition.within)
     dimension, unit = precondition.dimension, unit_of(precondition.within[1])
     row = {

@@ -32,6 +32,40 @@ def test_what_the_model_passes_over_is_told(overrides: dict[str, str], told: set
     assert codes(overrides) == told
 
 
+@pytest.mark.parametrize(
+    ("procedure", "overrides", "told"),
+    [
+        ("pendulum", {}, []),
+        ("inverse", {}, []),
+        ("vehicle", {}, []),
+        (
+            "pendulum",
+            {"rig.release.angle": "20 deg", "rig.added mass.mass": "5.5 kg"},
+            ["release angle", "added mass"],
+        ),
+        ("inverse", {"rig.ram.speed": "12 m/s"}, ["speed"]),
+        ("vehicle", {"specimen.flesh": "off"}, ["legform mass"]),
+        ("vehicle", {"rig.free flight.angle": "5 deg"}, ["pitch"]),
+    ],
+)
+def test_a_model_that_no_such_test_would_be_made_with_says_so(
+    procedure: str, overrides: dict[str, str], told: list[str]
+) -> None:
+    result = run(procedure, overrides={"run.until": "60 ms", **overrides}, refine=False)
+    outside = [r for r in result.coded_remarks if r.code == "model-outside-condition"]
+    assert sorted(str(reason.parameters["quantity"]) for reason in outside) == sorted(told)
+
+
+def test_a_leg_that_falls_through_the_ground_says_when() -> None:
+    """So slow that the front hardly holds it, it falls by g·t²/2: 5 mm in 32 ms, 17.7 mm in 60 ms."""
+    flight = {"end above ground": "5 mm", "speed": "0.2 m/s"}
+    overrides = {"run.until": "60 ms", **{f"rig.free flight.{key}": value for key, value in flight.items()}}
+    result = run("vehicle", overrides=overrides, refine=False)
+    (reason,) = (r for r in result.coded_remarks if r.code == "leg-below-ground")
+    assert reason.parameters["time"] == pytest.approx(32.0, abs=1.5)
+    assert reason.parameters["depth"] == pytest.approx(12.7, rel=0.1)
+
+
 def test_a_slack_ligament_pulls_on_nothing_at_rest() -> None:
     """Below zero its preload is the stretch that it lacks: the blocks rest on the others' pull alone."""
     from certkit.definitions.loading.library import load  # noqa: PLC0415

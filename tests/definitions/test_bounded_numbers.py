@@ -44,6 +44,7 @@ KNEE, FLESH, FEMUR = "legform.knee", "legform.flesh", "legform.parts.femur"
         # Tests that do not take place.
         ("vehicle", "rig.free flight.end above ground", "-75 mm", "this length has to be zero or above"),
         ("vehicle", "rig.free flight.speed", "0 km/h", "this speed has to be above zero"),
+        ("pendulum", "rig.release.angle", "400 deg", "this angle has to be within 90 deg"),
         ("inverse", "rig.ram.speed", "-11.1 m/s", "this speed has to be above zero"),
         ("pendulum", "run.until", "0 ms", "this time has to be above zero"),
     ],
