@@ -238,8 +238,9 @@ def test_a_dask_cluster_gives_the_same_table_and_outlives_a_worker() -> None:
             assert there(POINTS[:40]) == expected
 
 
-def test_nobody_at_the_address_is_said_so() -> None:
+def test_nobody_at_the_address_is_said_so(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("distributed")
+    monkeypatch.setattr("certkit.studies.dask_cluster.ANSWER_SECONDS", 0.5)
     with (
         Runs(toys.wave, Execution(cluster="tcp://127.0.0.1:9")) as runs,
         pytest.raises(UsageError, match="no Dask scheduler"),
