@@ -21,6 +21,7 @@ from certkit.bench.contact_check import contact_alone, leg_nodes
 from certkit.bench.contact_places import recorded_forces
 from certkit.bench.front_frames import front_motion
 from certkit.bench.group_checks import contact_figures, group_checks
+from certkit.bench.leg_remarks import flesh_pressed_twice
 from certkit.bench.path_checks import path_checks
 from certkit.bench.setup import prepare
 from certkit.bench.tried_check import TITLES, tried
@@ -109,6 +110,8 @@ def self_checks(
 
     checks.append(tried("coupled", axis, run.until, coupled))
     warnings, notes = run.flight_remarks(setup.procedure, setup.legform)
+    twice = [] if setup.vehicle is None else flesh_pressed_twice(setup.vehicle)
+    beyond += [language().sentence(reason) for reason in twice]
     return HeldToRun(tuple(checks), motions[0], (*warnings, *beyond), tuple(notes))
 
 

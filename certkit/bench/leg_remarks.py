@@ -1,7 +1,7 @@
 """What is to be said of a simulated test that its verdict passes over.
 
 Steel cables that came tight, a knee that is not at rest, a rig or a leg that no such test would be made with,
-a leg that falls through the ground.
+a leg that falls through the ground, flesh that is pressed twice.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from certkit.reasons import Reason
 
 if TYPE_CHECKING:
     from certkit.bench.setup import Setup
+    from certkit.definitions.vehicle import Vehicle
     from certkit.mechanics import Simulation
 
 BALANCED = 1e-3
@@ -31,6 +32,7 @@ def leg_remarks(setup: Setup, simulation: Simulation) -> list[Reason]:
         *_through_the_ground(setup, simulation),
         *_tight_cables(setup, simulation),
         *_knee_at_rest(setup),
+        *([] if setup.vehicle is None else flesh_pressed_twice(setup.vehicle)),
     ]
 
 
@@ -67,6 +69,14 @@ def _through_the_ground(setup: Setup, simulation: Simulation) -> list[Reason]:
         return []
     time = 1e3 * (float(run.frame_time[first[0]]) - run.contact)
     return [Reason.of("leg-below-ground", depth=1e3 * float(below.max()), time=time)]
+
+
+def flesh_pressed_twice(vehicle: Vehicle) -> list[Reason]:
+    """Tell faces at one height: the leg meets the foremost, and in the model its one flesh yields to each."""
+    return [
+        Reason.of("faces-at-one-height", front=one, behind=other, shared=1e3 * shared)
+        for one, other, shared in vehicle.shared_heights
+    ]
 
 
 def _tight_cables(setup: Setup, simulation: Simulation) -> list[Reason]:

@@ -244,30 +244,25 @@ class Vehicle(Section):
                     ),
                 )
             )
-        faults += self._pressed_twice()
         if faults:
             raise Faults(faults)
         return self
 
-    def _pressed_twice(self) -> list[Fault]:
-        """Find flat faces at one height: the leg's flesh, one layer, would be pressed as if it were two.
+    @property
+    def shared_heights(self) -> list[tuple[str, str, float]]:
+        """Return pairs of flat faces at one height, and what they share of it, m.
 
-        Faces with outlines stand where a run had them.
+        The leg's flesh is one layer, and two such faces press on it as if it were two. Faces with outlines
+        stand where a run had them.
         """
         if any(group.outlines for group in self.groups.values()):
             return []
-        faced = [
+        faced = sorted(
             (float(group.low), float(group.high), name)
             for name, group in self.groups.items()
             if group.low is not None and group.high is not None
-        ]
-        faults: list[Fault] = []
-        for (_, top, other), (low, high, name) in combinations(sorted(faced), 2):
-            shared = min(high, top) - low
-            if shared > SHARED:
-                said = (
-                    f"the faces of `{other}` and `{name}` share {1e3 * shared:.0f} mm of height; a leg meets "
-                    "the foremost only: cut them, or leave out the face of the one behind"
-                )
-                faults.append((("groups", name, "low"), said))
-        return faults
+        )
+        shared = (
+            (one, other, min(high, top) - low) for (_, top, one), (low, high, other) in combinations(faced, 2)
+        )
+        return [each for each in shared if each[2] > SHARED]

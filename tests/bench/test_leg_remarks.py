@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 from certkit import run
+from certkit.bench.leg_remarks import flesh_pressed_twice
+from certkit.bench.setup import prepare
 
 MCL = "legform.knee.ligaments.MCL.preload"
 COARSE = {f"legform.parts.{bone}.segments": "2" for bone in ("femur", "tibia")}
@@ -76,3 +78,15 @@ def test_a_slack_ligament_pulls_on_nothing_at_rest() -> None:
         for force in ("-500 N", "0 N")
     )
     assert resting_forces(slack) == resting_forces(loose)
+
+
+def test_two_flat_faces_at_one_height_press_on_one_layer_of_flesh_and_are_told() -> None:
+    told = {"vehicle.groups.F4.low": "400 mm"}
+    overlapping, apart = (prepare("vehicle", overrides=each).vehicle for each in (told, {}))
+    assert overlapping is not None
+    assert apart is not None
+    (remark,) = flesh_pressed_twice(overlapping)
+    assert (remark.code, remark.parameters["shared"]) == ("faces-at-one-height", pytest.approx(55.0))
+    assert flesh_pressed_twice(apart) == []
+    result = run("vehicle", overrides={"run.until": "5 ms", **told}, refine=False)
+    assert remark.code in {each.code for each in result.coded_remarks}

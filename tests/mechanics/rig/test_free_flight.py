@@ -7,7 +7,6 @@ import math
 import pytest
 
 from certkit.bench.setup import prepare
-from certkit.errors import DefinitionError
 from certkit.mechanics import simulate
 
 
@@ -25,8 +24,3 @@ def test_a_tilted_leg_ends_as_far_above_the_ground_as_an_upright_one(angle: floa
     ground = lowest.z - lowest.height / 2 - float(setup.vehicle.groups["F1"].low or 0.0)
     # It falls and flies for half a step before the first frame.
     assert end - ground == pytest.approx(0.075, abs=1e-6)
-
-
-def test_two_faces_at_one_height_press_on_one_layer_of_flesh_and_are_refused() -> None:
-    with pytest.raises(DefinitionError, match="the faces of `F3` and `F4` share 55 mm of height"):
-        prepare("vehicle", overrides={"vehicle.groups.F4.low": "400 mm"})
