@@ -58,11 +58,12 @@ def report(
     """Render any document that certkit wrote again, from its JSON alone: the same bytes as before."""
     from certkit.bench.render_documents import render_pages, render_suite  # noqa: PLC0415  # pydantic waits until now
     from certkit.bench.result_folder import distinct_names, folder_name  # noqa: PLC0415  # likewise
-    from certkit.documents.document_kinds import read_documents  # noqa: PLC0415  # likewise
+    from certkit.documents.document_kinds import document_at, read_documents  # noqa: PLC0415  # likewise
     from certkit.documents.result import Result  # noqa: PLC0415  # likewise
     from certkit.reporting.slide_deck import on_template  # noqa: PLC0415  # likewise
 
     wanted = None if formats is None else [name.strip() for name in formats.split(",") if name.strip()]
+    results = [document_at(path) for path in results]
     documents = [
         (path, document) for path in results for document in read_documents(path, unverified=unverified)
     ]

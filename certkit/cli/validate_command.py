@@ -42,8 +42,8 @@ def validate(
 
 
 def _found_as(file: Path) -> str:
-    """Say by which name a file is found, where it calls itself otherwise."""
+    """Say how a file would have to be called to be found by its name, where it is called otherwise."""
     from certkit.definitions.loading.lint import other_name  # noqa: PLC0415  # likewise
 
     said = other_name(file)
-    return f"; it calls itself `{said}`, but by name it is found as its file, `{file.stem}`" if said else ""
+    return f"; to be found by its name, its file has to be called `{said}.yaml`" if said else ""

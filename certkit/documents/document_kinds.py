@@ -8,6 +8,7 @@ from importlib import import_module
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from certkit.documents.no_document import NO_DOCUMENT
 from certkit.documents.output_document import OutputDocument, check_size, content_of
 from certkit.documents.unverified import trusted
 from certkit.errors import DataError
@@ -60,6 +61,11 @@ def document_in(folder: Path) -> Path | None:
     return next((file for file in files if file.is_file()), None)
 
 
+def document_at(path: Path) -> Path:
+    """Return the file of the document that a path names: itself, or the one in its folder, if any."""
+    return (document_in(path) or path) if path.is_dir() else path
+
+
 def read_documents(path: Path, *, unverified: bool = False) -> list[OutputDocument]:
     """Read a file that holds a document of any kind, or a JSON list of some.
 
@@ -95,10 +101,7 @@ def documents_from(content: bytes, name: str) -> list[OutputDocument]:
         tree = json.loads(content)
     except (ValueError, RecursionError) as error:
         if content.lstrip()[:1] not in {b"{", b"["}:
-            raise DataError(
-                f"{name}: is no document of certkit's; pages, tables and sheets are made of one"
-                ": name that (result.json, …), or the folder that it lies in"
-            ) from error
+            raise DataError(f"{name}: {NO_DOCUMENT}") from error
         raise DataError(f"{name}: damaged: no JSON ({error}); make it again") from error
     if not isinstance(tree, list):
         return [_class_of(_word(tree), name).from_json(content, name)]

@@ -15,6 +15,7 @@ from typing import Annotated, Any, ClassVar, Final, Self, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from certkit.documents.no_document import refuse_papers
 from certkit.documents.wording import without_words
 from certkit.errors import DataError
 from certkit.files import write_whole
@@ -110,6 +111,7 @@ class OutputDocument(Part):
         name = name or cls.file_name
         check_size(content, name)
         text = content if isinstance(content, str) else content.decode("utf-8", errors="replace")
+        refuse_papers(text, name)
         if odd := odd_character_in_json(text):
             raise DataError(
                 f"{name}: holds the control character U+{ord(odd):04X}; certkit writes none"

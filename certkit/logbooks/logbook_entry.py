@@ -120,8 +120,7 @@ def entry_of(result: Result, place: str) -> LogbookEntry:
     """
     if result.kind != MEASURED:
         raise DataError(
-            f"{place}: is a {result.kind}; logbooks, certificates of a legform and round robins take "
-            "measured tests only; name the evaluation of one"
+            f"{place}: is a {result.kind}; measured tests only are taken here; name the evaluation of one"
         )
     header = result.laboratory or {}
     item, test = header.get("item"), header.get("test")

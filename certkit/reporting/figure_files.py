@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from certkit.documents.document_kinds import read_documents
+from certkit.documents.document_kinds import document_at, read_documents
 from certkit.documents.extraction import ExtractionResult
 from certkit.documents.result import Result
 from certkit.documents.unverified import trusted
@@ -49,7 +49,7 @@ def figure_files(
     UsageError
         When there is no such figure of that document.
     """
-    found = read_documents(document, unverified=unverified)[0]
+    found = read_documents(document_at(document), unverified=unverified)[0]
     other = trusted(Result.read(beside), str(beside), unverified=unverified) if beside else None
     name = found.case if isinstance(found, ExtractionResult) else getattr(found, "procedure", document.stem)
     return name, {form: figure(found, what, form, channels=channels, beside=other) for form in forms}

@@ -111,7 +111,7 @@ def test_validate_says_which_files_are_sound(certkit: Command, tmp_path: Path):
     assert done.returncode == 0
     assert done.stdout.splitlines() == [
         "r127-pendulum.yaml: ok",
-        "sound.yaml: ok; it calls itself `r127-pendulum`, but by name it is found as its file, `sound`",
+        "sound.yaml: ok; to be found by its name, its file has to be called `r127-pendulum.yaml`",
     ]
 
 
@@ -135,3 +135,13 @@ def test_a_schema_is_printed_as_json(certkit: Command, kind: str):
     schema = json.loads(certkit("schema", kind).stdout)
     assert schema["$schema"] == "https://json-schema.org/draft/2020-12/schema"
     assert schema["properties"]
+
+
+def test_a_name_or_a_file_of_another_kind_is_told_as_that(certkit: Command, tmp_path: Path):
+    named = certkit("run", "generic-saloon")
+    assert named.returncode == 2
+    assert "`generic-saloon` is a vehicle, no procedure" in named.stderr
+    (tmp_path / "car.yaml").write_text(certkit("show", "generic-saloon", "--file").stdout)
+    given = certkit("run", "car.yaml")
+    assert (given.returncode, len(given.stderr.splitlines())) == (2, 1)
+    assert "car.yaml:2:1: this is a vehicle, no procedure; name the file of a procedure" in given.stderr

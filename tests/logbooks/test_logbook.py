@@ -303,7 +303,7 @@ def test_one_serial_number_written_in_two_ways_is_one_legform_unless_the_rules_s
 @pytest.mark.parametrize("kind", ["virtual certification", "virtual test"])
 def test_what_was_not_measured_is_never_booked_for_a_legform(tmp_path: Path, kind: str):
     result = document("A-1", BEGIN, 1, "pendulum", 250.0).model_copy(update={"kind": kind, "id": ""})
-    with pytest.raises(DataError, match=f"is a {kind}; .* measured tests only"):
+    with pytest.raises(DataError, match=f"is a {kind}; measured tests only"):
         kept(tmp_path, [result.with_id()])
     assert not list((tmp_path / "book").rglob("*.json"))
 

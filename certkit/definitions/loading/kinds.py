@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from msgspec import Struct
 
-from certkit.errors import UsageError
+from certkit.errors import DefinitionError, UsageError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from pydantic import BaseModel
 
+    from certkit.definitions.loading.yaml_reader import Tree
     from certkit.errors import Problem
 
 
@@ -186,3 +187,16 @@ def kind_of(word: str) -> Kind:
         if kind.answers_to(word):
             return kind
     raise UsageError(f"`{word}` is no kind of definition; {suggestion(word, list(KINDS))}")
+
+
+def refuse_another_kind(kind: Kind, tree: Tree) -> None:
+    """Say of a file of another kind that it is one, not every key that it lacks.
+
+    Raises
+    ------
+    DefinitionError
+    """
+    first = next(iter(tree.data), "")
+    if first in KINDS and first != kind.word and kind.word not in tree.data:
+        message = f"this is a {KINDS[first].noun}, no {kind.noun}; name the file of a {kind.noun}"
+        raise DefinitionError([tree.problem((first,), message, key=True)])

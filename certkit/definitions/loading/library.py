@@ -18,7 +18,7 @@ from pydantic import BaseModel
 
 from certkit.definitions.loading.confirmed import confirmation_name, with_confirmation
 from certkit.definitions.loading.error_messages import suggestion
-from certkit.definitions.loading.kinds import KINDS, Kind, kind_of
+from certkit.definitions.loading.kinds import KINDS, Kind, kind_of, refuse_another_kind
 from certkit.definitions.loading.made_before import keep, with_made
 from certkit.definitions.loading.old_forms import modernised
 from certkit.definitions.loading.overrides import Change, Overrides, change
@@ -183,7 +183,9 @@ def parse(
 ) -> Loaded[BaseModel]:
     """Read a found definition; see `load`."""
     model = kind.model
-    tree, overrides, remarks = modernised(kind, read_tree(found.data, found.file), overrides)
+    tree = read_tree(found.data, found.file)
+    refuse_another_kind(kind, tree)
+    tree, overrides, remarks = modernised(kind, tree, overrides)
     tree, changes = change(tree, overrides, model, kind.prefix)
     numbered = tuple(entry.remark for entry in changes if entry.remark)
     for remark in numbered:
@@ -227,6 +229,15 @@ def find(kind: Kind, name: str | Path, library: Library = ()) -> Found:
         if found is not None:
             return found
     names = {known for store in searched for known in store.names(kind)}
+    others = [
+        other.noun
+        for other in KINDS.values()
+        if other.folder and any(store.find(other, str(name)) is not None for store in searched)
+    ]
+    if others:
+        raise UsageError(
+            f"`{name}` is a {' and a '.join(others)}, no {kind.noun}; {suggestion(str(name), names)}"
+        )
     hint = f"; to read the file, write ./{name}" if path.exists() else ""
     raise UsageError(f"there is no {kind.noun} `{name}`; {suggestion(str(name), names)}{hint}")
 
