@@ -25,6 +25,9 @@ FREQUENCY_CLASS = 180.0
 POINTS = 200
 """Of a series that is kept."""
 
+NO_PEAK = 0.01
+"""Share of a channel's largest value, of either sign, below which what it shows above zero is no peak."""
+
 OPPOSITE = 0.5
 """Cosine between two curves from which on they go opposite ways."""
 
@@ -52,7 +55,7 @@ def channel_checks(
         every = max(1, time.size // POINTS)
         i, j = int(np.argmax(got)), int(np.argmax(wanted))
         largest = float(wanted[j])
-        if largest <= 0:
+        if largest <= NO_PEAK * float(np.abs(wanted).max()):
             continue
         checks.append(
             ChannelCheck(

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, cast
 import numpy as np
 import pytest
 
-from certkit.bench.channel_checks import channel_remarks
+from certkit.bench.channel_checks import channel_checks, channel_remarks
 from certkit.definitions.loading.library import load
 from certkit.errors import DataError
 from certkit.exchange.fe import FrontData, PartHistories, read_case_data
@@ -163,17 +163,26 @@ class Recording(SimpleNamespace):
         return SimpleNamespace(values=self.channels[name])
 
 
-def told(of_run: Callable[[np.ndarray], np.ndarray]) -> list[str]:
-    """Return the remarks on a run whose T1 is a function of the leg's."""
+def both(of_run: Callable[[np.ndarray], np.ndarray]) -> tuple[FrontData, Simulation]:
+    """Return a run whose T1 is a function of the leg's, and the leg."""
     time = np.arange(0.0, 0.045, 1e-4)
     leg = 200.0 * np.sin(np.pi * time / 0.045) ** 2
     recording = Recording(interval=1e-4, time=time, channels={"T1": leg})
     histories = PartHistories(time=time, parts={}, leg={"T1": of_run(leg)})
-    done = cast("Simulation", SimpleNamespace(recording=recording))
-    return channel_remarks(FrontData(histories, {}), done, start=0.0, until=0.045)
+    return FrontData(histories, {}), cast("Simulation", SimpleNamespace(recording=recording))
+
+
+def told(of_run: Callable[[np.ndarray], np.ndarray]) -> list[str]:
+    return channel_remarks(*both(of_run), start=0.0, until=0.045)
 
 
 def test_a_channel_of_the_other_sign_or_in_another_unit_is_told() -> None:
     assert told(lambda x: 1.3 * x) == []
     assert "goes the other way" in told(lambda x: -x)[0]
     assert "is the column in the unit of its name?" in told(lambda x: 1e-3 * x)[0]
+
+
+def test_a_channel_that_never_rises_above_zero_has_no_peak_to_be_held_to() -> None:
+    within = {"start": 0.0, "until": 0.045}
+    assert [c.name for c in channel_checks(*both(lambda x: 1.3 * x), **within)] == ["T1"]
+    assert channel_checks(*both(lambda x: 1e-9 - x), **within) == ()
