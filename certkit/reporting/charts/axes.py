@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from msgspec import Struct
 
 from certkit.reporting import palette
 from certkit.reporting.number_format import plain
 from certkit.reporting.scales import Scale, ticks
-from certkit.reporting.svg import label, number, tag
+from certkit.reporting.svg import label, number, path, tag
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 
 class Frame(Struct, frozen=True):
@@ -92,6 +97,29 @@ class Frame(Struct, frozen=True):
             )
         )
         return "".join(drawn)
+
+    def corridor(self, low: float, high: float) -> str:
+        """Shade what lies between two ordinates."""
+        return tag(
+            "rect",
+            x=self.left,
+            y=self.y(high),
+            width=self.right - self.left,
+            height=self.y(low) - self.y(high),
+            fill=palette.CORRIDOR,
+            class_="corridor",
+        )
+
+    def area(self, polygon: Iterable[tuple[float, float]]) -> str:
+        """Shade the area that a curve has to stay in."""
+        return tag(
+            "path",
+            d=path((self.place(*point) for point in polygon), closed=True),
+            fill=palette.CORRIDOR,
+            stroke=palette.CORRIDOR_EDGE,
+            stroke_dasharray="5 3",
+            class_="corridor limit",
+        )
 
     def _rule(self, y: float, width: float) -> str:
         return tag(

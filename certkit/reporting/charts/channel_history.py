@@ -93,16 +93,7 @@ def _band(frame: Frame, criterion: CriterionResult | None, limits: list[float]) 
         return ""
     drawn = ""
     if len(limits) == 2:
-        low, high = limits
-        drawn += tag(
-            "rect",
-            x=frame.left,
-            y=frame.y(high),
-            width=frame.right - frame.left,
-            height=frame.y(low) - frame.y(high),
-            fill=palette.CORRIDOR,
-            class_="corridor",
-        )
+        drawn += frame.corridor(*limits)
     if limits:
         drawn += "".join(
             tag(

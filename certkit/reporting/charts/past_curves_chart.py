@@ -56,23 +56,5 @@ def past_curves_chart(past: PastCurves, spoken: Language) -> Drawing:
 def _corridor(past: PastCurves, limits: list[float], frame: Frame) -> str:
     """Draw the corridor of the largest value, or the area of the curve."""
     if past.polygon:
-        return tag(
-            "path",
-            d=path((frame.place(*p) for p in past.polygon), closed=True),
-            fill=palette.CORRIDOR,
-            stroke=palette.CORRIDOR_EDGE,
-            stroke_dasharray="5 3",
-            class_="corridor limit",
-        )
-    if len(limits) < 2:
-        return ""
-    low, high = limits
-    return tag(
-        "rect",
-        x=frame.left,
-        y=frame.y(high),
-        width=frame.right - frame.left,
-        height=frame.y(low) - frame.y(high),
-        fill=palette.CORRIDOR,
-        class_="corridor",
-    )
+        return frame.area(past.polygon)
+    return frame.corridor(*limits) if len(limits) == 2 else ""

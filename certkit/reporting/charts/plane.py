@@ -36,14 +36,7 @@ def plane_chart(
     frame = Frame.around(x, y, width=width, height=height, below=36)
     drawn = ""
     if curve.polygon:
-        drawn += tag(
-            "path",
-            d=path((frame.place(*p) for p in curve.polygon), closed=True),
-            fill=palette.CORRIDOR,
-            stroke=palette.CORRIDOR_EDGE,
-            stroke_dasharray="5 3",
-            class_="corridor limit",
-        )
+        drawn += frame.area(curve.polygon)
     ordinate = f"{curve.y_title}, {curve.y_unit}"
     if 6.6 * (len(title) + len(ordinate)) > width - 12:
         ordinate = curve.y_unit  # beside a long title there is room for the unit alone
