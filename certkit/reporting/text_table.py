@@ -112,6 +112,8 @@ def below(view: View) -> list[Line]:
 
 SUITE_HEADS = ("verdict", "procedure", "in corridor", "worst", "value", "", "corridor", "margin", "%")
 SUITE_RIGHT = (4, 7, 8)
+SUITE_GOES = (8, 2)
+"""Columns that a narrow terminal is spared, the first of them first; the report has them."""
 
 
 def suite_cells(view: View) -> list[Line]:
@@ -136,6 +138,19 @@ def suite_cells(view: View) -> list[Line]:
         [(row.margin if row else "", style)],
         [("" if share is None else fixed(100 * share, 0), style)],
     ]
+
+
+def suite_columns(rows: Sequence[Sequence[Line]], width: int) -> list[int]:
+    """Return which columns of the table of several results have room on a terminal that is `width` wide."""
+    widest = [
+        max(len(head), *(sum(len(part) for part, _ in row[number]) for row in rows))
+        for number, head in enumerate(SUITE_HEADS)
+    ]
+    kept = list(range(len(SUITE_HEADS)))
+    for goes in SUITE_GOES:
+        if sum(widest[number] + 2 for number in kept) - 2 > width:
+            kept.remove(goes)
+    return kept
 
 
 def _spreads(view: View) -> bool:
@@ -198,7 +213,11 @@ def _show_in_colour(views: Sequence[View], target: TextIO, *, details: bool) -> 
 
     console = Console(file=target, highlight=False, no_color=bool(os.environ.get("NO_COLOR")) or None)
     if len(views) > 1:
-        console.print(table(SUITE_HEADS, SUITE_RIGHT, [suite_cells(view) for view in views]))
+        suite = [suite_cells(view) for view in views]
+        kept = suite_columns(suite, console.width)
+        right = [place for place, number in enumerate(kept) if number in SUITE_RIGHT]
+        lines = [[row[number] for number in kept] for row in suite]
+        console.print(table([SUITE_HEADS[number] for number in kept], right, lines))
         if not details:
             return
         console.print()

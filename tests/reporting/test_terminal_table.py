@@ -89,3 +89,17 @@ def test_brackets_in_data_are_text(pendulum: Result):
     stream = io.StringIO()
     show(unique_views([pendulum.model_copy(update={"title": "[red]odd[/red] [link]"})]), stream)
     assert "[red]odd[/red] [link]" in stream.getvalue()
+
+
+@pytest.mark.parametrize("width", [64, 80, 200])
+def test_the_table_of_several_cuts_no_column_but_leaves_out_whole_ones(
+    pendulum: Result, measured: Result, bending: Result, monkeypatch: pytest.MonkeyPatch, width: int
+):
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    monkeypatch.setenv("NO_COLOR", "1")
+    monkeypatch.setenv("COLUMNS", str(width))
+    shown = io.StringIO()
+    show(unique_views([pendulum, measured, bending]), shown, details=False)
+    assert "…" not in shown.getvalue()
+    assert "margin" in shown.getvalue()
+    assert ("in corridor" in shown.getvalue()) == (width > 64)
