@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+
 from certkit.definitions.loading.json_schema import schema_of
 from certkit.definitions.loading.kinds import KINDS, Kind
 from certkit.definitions.loading.library import names
@@ -42,7 +44,7 @@ def definitions() -> str:
         schema = schema_of(kind)
         sections += [
             f"## {kind.word} {{ #{anchor(kind.word)} }}",
-            (kind.model.__doc__ or "").strip(),
+            inspect.cleandoc(kind.model.__doc__ or ""),  # Python 3.13 takes the margin off by itself
             described(schema, kind.word, depth=3, skip=ORIGIN),
         ]
     return page(*sections)

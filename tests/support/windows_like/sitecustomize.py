@@ -12,6 +12,7 @@ import contextlib
 import io
 import multiprocessing
 import os
+import shutil
 import signal
 import subprocess  # noqa: F401  # takes what it needs of this system before it is gone
 import sys
@@ -63,6 +64,7 @@ for _module in MODULES:
 for _call in (*CALLS, *FLAGS):
     with contextlib.suppress(AttributeError):
         delattr(os, _call)
+shutil._use_fd_functions = False  # as it finds for itself where folders cannot be opened
 for _signal in SIGNALS:
     with contextlib.suppress(AttributeError):
         delattr(signal, _signal)
