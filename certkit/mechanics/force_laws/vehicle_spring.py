@@ -50,6 +50,22 @@ def _highest(curves: Rows[CurvePoint], start: int, count: int, x: float) -> floa
 
 
 @compiled
+def _work(curves: Rows[CurvePoint], start: int, count: int, x: float) -> float:
+    """Return the area under the loading curve up to x ≥ 0: the most that a spring can have stored."""
+    area = 0.0
+    for k in range(start, start + count):
+        last = k == start + count - 1
+        low = curves[k].x
+        if low >= x:
+            break
+        high = x if last else min(curves[k + 1].x, x)
+        area += (
+            0.5 * (_loading(curves, start, count, low) + _loading(curves, start, count, high)) * (high - low)
+        )
+    return area
+
+
+@compiled
 def _side(
     curves: Rows[CurvePoint], start: int, count: int, x: float, top: float, row: VehicleSpring
 ) -> tuple[float, float]:
@@ -71,6 +87,8 @@ def _side(
             stored = 0.5 * flat * (foot - rest) * (foot - rest) + 0.5 * (steep + flat * (foot - rest)) * (
                 x - foot
             )
+    if unloading * x < steep:  # softer than it was loaded, the branch is cut off by the loading curve
+        stored = min(stored, _work(curves, start, count, x))
     return force, stored
 
 
