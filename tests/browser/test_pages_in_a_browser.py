@@ -267,3 +267,20 @@ def test_no_reading_covers_a_peak(browser: Browser, tmp_path: Path) -> None:
         across = reading[0] < peak[1] and peak[0] < reading[1]
         assert not (across and reading[2] < peak[3] and peak[2] < reading[3])
     watched.page.context.close()
+
+
+def test_the_rig_is_drawn_at_the_size_of_the_other_drawings_and_fits_a_window(
+    browser: Browser, tmp_path: Path
+) -> None:
+    from certkit import run  # noqa: PLC0415  # the browser tests alone need it
+    from certkit.reporting.html_report import page  # noqa: PLC0415  # likewise
+    from certkit.reporting.result_view import view  # noqa: PLC0415  # likewise
+
+    for name in ("vehicle", "static-knee"):
+        (tmp_path / f"{name}.html").write_text(page(view(run(name, refine=False))))
+        watched = opened(browser, tmp_path, name)
+        rig = watched.page.locator(".rig svg")
+        wide, drawn = rig.evaluate("e => [e.getBoundingClientRect().width, e.viewBox.baseVal.width]")
+        assert wide == pytest.approx(drawn, rel=0.01)
+        assert rig.evaluate("e => e.getBoundingClientRect().height") < 600
+        watched.page.context.close()
