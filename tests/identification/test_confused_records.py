@@ -12,7 +12,8 @@ import pytest
 from certkit.bench.channel_checks import channel_checks, channel_remarks
 from certkit.definitions.loading.library import load
 from certkit.errors import DataError
-from certkit.exchange.fe import FrontData, PartHistories, read_case_data
+from certkit.exchange.fe import FrontData, PartHistories, PartHistory, read_case_data
+from certkit.exchange.fe.plausible_motion import require_plausible
 from certkit.exchange.fe.plausible_nodes import node_remarks
 from certkit.identification.first_steps import FirstSteps, first_steps, missing_impactor
 from certkit.identification.five_steps import extract
@@ -69,6 +70,15 @@ def test_nodes_are_refused_with_the_name_of_their_file(case: Path) -> None:
         steps_of(case)
 
 
+@pytest.mark.parametrize("share", [0.04, -0.04])
+def test_the_centre_of_a_long_hood_may_stay_where_its_edge_moves(share: float) -> None:
+    time = np.arange(0.0, 0.06, 1e-3)
+    edge = 0.05 * np.sin(np.pi * time / 0.06)
+    centre = share * edge
+    hood = PartHistory(mass=1.0, momentum=np.gradient(centre, time), displacement=centre, front=edge)
+    require_plausible(PartHistories(time=time, parts={"hood": hood}))
+
+
 def remarks(case: Path) -> list[str]:
     data = read_case_data(load("case", case).document.histories, case.parent)
     assert data.motion is not None
@@ -87,6 +97,13 @@ def test_a_face_without_nodes_and_nodes_that_end_early_are_named(case: Path) -> 
     said = remarks(case)
     assert any("ends at 20 ms, the histories at 60.48 ms" in words for words in said)
     assert "the motion of the nodes has none of `F4_bumper_centre`: such a face stays flat" in said
+
+
+def test_nodes_that_end_before_a_face_moves_say_nothing_against_it(case: Path) -> None:
+    path = case.parent / NODES
+    head, *rows = path.read_text().splitlines()
+    path.write_text("\n".join([head, *(r for r in rows if float(r.split(",")[0]) <= 9.0)]) + "\n")
+    assert not [words for words in remarks(case) if "H1" in words]
 
 
 def test_nodes_on_another_clock_are_warned_of(case: Path) -> None:

@@ -30,8 +30,14 @@ FACTOR = 2.0
 
 LEAST_CORRELATION = 0.7
 
-CONFUSED = 10.0
-"""By how much the movements of a part's front and of its centre differ when their units are not the same."""
+CONFUSED = 100.0
+"""By how much the movements of a part's front and of its centre differ when their units are not the same.
+
+The centre of a long hood may move by a tenth of its edge's movement, or a little the other way.
+"""
+
+OPPOSITE = -0.9
+"""Correlation below which two movements, as large as each other by `FACTOR`, are one with its sign turned."""
 
 FRONT_STILL = 0.1
 """Share of the largest movement of a front below which a front is not held against its part's centre."""
@@ -100,9 +106,10 @@ def _require_fronts(histories: PartHistories, moved: Mapping[str, Values]) -> No
         wanted = 0.0 if centre is None else float(np.abs(centre).max())
         if centre is None or max(told, wanted) <= FRONT_STILL * largest:
             continue
-        course = float(np.corrcoef(front, centre)[0, 1]) if min(told, wanted) > 0 else 0.0
-        if course < 0 or not 1 / CONFUSED < told / wanted < CONFUSED:
-            other = ", the other way" if course < 0 else ""
+        ratio = told / wanted if wanted > 0 else np.inf
+        turned = 1 / FACTOR <= ratio <= FACTOR and float(np.corrcoef(front, centre)[0, 1]) < OPPOSITE
+        if turned or not 1 / CONFUSED < ratio < CONFUSED:
+            other = ", the other way" if turned else ""
             raise DataError(
                 f"{histories.source}: the front of part `{name}` moves by {1e3 * told:.4g} mm{other}, its "
                 f"centre by {1e3 * wanted:.4g} mm; check the units and signs of their columns"

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from certkit.errors import DataError
+from certkit.exchange.fe.plausible_motion import CONFUSED, OPPOSITE
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -23,9 +24,6 @@ if TYPE_CHECKING:
 
 MOVES = 0.1
 """Share of the largest movement of a face below which a face's own is not judged."""
-
-CONFUSED = 10.0
-"""By how much two movements of one face differ when their units are not the same."""
 
 ALIKE = 2.0
 LEAST_CORRELATION = 0.9
@@ -62,10 +60,11 @@ def require_same_run(motion: NodeMotion, histories: PartHistories, faces: Mappin
             f"{1e3 * float(motion.time[-1]):.4g} ms; correct the unit of its times, or export it again"
         )
     for part, nodes, told, course in _held(motion, histories, faces):
-        if course < 0 or not 1 / CONFUSED < nodes / told < CONFUSED:
+        turned = course < OPPOSITE and 1 / ALIKE <= nodes / told <= ALIKE
+        if turned or not 1 / CONFUSED < nodes / told < CONFUSED:
             raise DataError(
                 f"{motion.source}: the front of part `{part}` moves by {1e3 * told:.4g} mm, its nodes by "
-                f"{1e3 * nodes:.4g} mm{', the other way' if course < 0 else ''}; check units and signs of "
+                f"{1e3 * nodes:.4g} mm{', the other way' if turned else ''}; check units and signs of "
                 "both, and that the nodes' places are given, not their displacements"
             )
     apart = [part for part, _, _ in _beside_their_faces(motion, faces)]
@@ -121,15 +120,12 @@ def _held(motion: NodeMotion, histories: PartHistories, faces: Mapping[str, Face
     largest = max((float(np.abs(x).max()) for x in fronts.values() if x is not None), default=0.0)
     seen = histories.time <= float(motion.time[-1])
     for part, whole in fronts.items():
-        if whole is None or float(np.abs(whole).max()) <= MOVES * largest:
+        told = np.zeros(1) if whole is None else whole[seen]
+        if float(np.abs(told).max()) <= MOVES * largest:
             continue
         nodes = np.mean([place[:, 0] - place[0, 0] for place in motion.places[part].values()], axis=0)
         own = np.interp(histories.time[seen], motion.time, nodes)
-        told = whole[seen]
-        if min(float(np.ptp(own)), float(np.ptp(told))) <= 0:
-            yield _FaceMovement(part, float(np.abs(own).max()), float(np.abs(told).max()), 0.0)
-            continue
-        course = float(np.corrcoef(own, told)[0, 1])
+        course = float(np.corrcoef(own, told)[0, 1]) if min(np.ptp(own), np.ptp(told)) > 0 else 0.0
         yield _FaceMovement(part, float(np.abs(own).max()), float(np.abs(told).max()), course)
 
 
