@@ -37,7 +37,8 @@ The oracle knows the intact input's graded values. A damaged input is
 - **silently passed** when a graded value changed and nothing says so. That must not happen, nor may a
   Python traceback, nor another exit code than 2 for an input that cannot be read.
 
-Left out is what no file can show: a factor of a few per cent, two channels exchanged whose corridors both
+Left out is what no file can show: a factor of a few per cent, and [larger ones](how-to/grade.md) where there
+is an upper limit only; two channels exchanged whose corridors both
 hold either, another number that is as good as the first.
 
 """
