@@ -9,7 +9,7 @@ import numpy as np
 from certkit.reasons import Reason
 from certkit.signals.noise import FREE_FLIGHT_NOISE
 from certkit.signals.plausibility_motion import off_the_line, surely_on_the_line
-from certkit.signals.plausibility_rest import drift_until_peak, swing_at_rest
+from certkit.signals.plausibility_rest import drift_until_peak, is_silent, swing_at_rest
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -32,6 +32,19 @@ def unsteady(leg: LegChannels, doubts: Mapping[str, Reason]) -> Iterator[Reason]
             yield Reason.of("drifts-at-rest", channel=name, share=100.0 * abs(drift))
         elif swing is not None:
             yield Reason.of("swings-at-rest", channel=name, share=100.0 * swing)
+
+
+def silent(leg: LegChannels) -> Iterator[Reason]:
+    """Yield channels of a measured test without any noise before contact: simulated, or filled in there."""
+    if leg.filtered.recording.kind != "measured":
+        return
+    found = [
+        name
+        for name, channel in leg.channels.items()
+        if is_silent(channel.values[: leg.rest], channel.values, leg.classes[name])
+    ]
+    if found:
+        yield Reason.of("silent-at-rest", channels=found)
 
 
 def patterns(leg: LegChannels, doubts: Mapping[str, Reason]) -> Iterator[Reason]:

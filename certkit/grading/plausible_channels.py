@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from certkit.definitions.channels import ELONGATION, MOMENT
 from certkit.grading.channels_of_leg import LegChannels
-from certkit.grading.odd_channels import patterns, unsteady
+from certkit.grading.odd_channels import patterns, silent, unsteady
 from certkit.reasons import Reason
 from certkit.signals.clipping import beyond_class, find_clippings
 from certkit.signals.plausibility_motion import (
@@ -84,7 +84,7 @@ def doubtful_channels(filtered: Filtered, window: EvaluationWindow, decided: flo
     for check in CHECKS:
         for name, reason in check(leg):
             doubts.setdefault(name, reason)
-    return ChannelDoubts(doubts, (*patterns(leg, doubts), *unsteady(leg, doubts)))
+    return ChannelDoubts(doubts, (*patterns(leg, doubts), *unsteady(leg, doubts), *silent(leg)))
 
 
 def _kept(leg: LegChannels) -> Iterator[tuple[str, Reason]]:

@@ -18,6 +18,11 @@ LEAST = 60
 """Samples at rest that a correlation needs, and a drift."""
 LEVELS = 5
 """Different values that noise has at least; a channel of fewer shows none."""
+SILENT = 1e-8
+"""Share of the amplitude class that a channel may swing at rest and show no noise: an amplifier's best is
+1e-5, and rounding to nine digits 1e-9."""
+FINE = 1e-6
+"""Share of the amplitude class that a channel's digits are finer than, for noise to show: 20 bits."""
 UNSTEADY = 0.12
 """Share of its largest size that a channel may swing at rest; good recordings show up to 0.082, where the
 peak is small."""
@@ -56,6 +61,24 @@ def _weaker(correlations: NDArray[np.float64]) -> float:
     """Return that of the two correlations which is nearer to zero; zero where their signs differ."""
     one, other = correlations.tolist()
     return min(one, other, key=abs) if one * other > 0.0 else 0.0
+
+
+def is_silent(rest: NDArray[np.float64], values: NDArray[np.float64], amplitude_class: float) -> bool:
+    """Tell whether a channel shows no noise at all, though its digits are fine enough to.
+
+    Parameters
+    ----------
+    rest : ndarray, shape (n,)
+        Not filtered, before contact.
+    values : ndarray, shape (m,)
+        The whole channel.
+    amplitude_class : float
+        In the unit of the values.
+    """
+    if rest.size < LEAST or float(np.ptp(rest)) > SILENT * amplitude_class:
+        return False
+    levels = np.unique(values)
+    return levels.size > 1 and float(np.diff(levels).min()) < FINE * amplitude_class
 
 
 def swing_at_rest(rest: NDArray[np.float64], peak: float) -> float | None:

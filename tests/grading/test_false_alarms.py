@@ -12,7 +12,8 @@ import certkit
 from certkit.bench.setup import prepare
 from certkit.definitions.channels import MOMENT
 from certkit.grading import measure_all
-from tests.support.laboratory_records import CASES, as_measured, leg_channels
+from certkit.signals import Recording
+from tests.support.laboratory_records import CASES, CONDITIONS, as_measured, leg_channels
 
 MEASURED = Path(__file__).parents[2] / "examples/measured"
 
@@ -43,6 +44,20 @@ def test_no_doubt_is_cast_where_the_trigger_comes_a_little_late_or_early(case: i
         measured = measure_all(sheet, recorded)
         said = {c.id: measured.values[c.id].doubt for c in sheet.criteria if c.corridor is not None}
         assert {n: str(reason) for n, reason in said.items() if reason is not None} == {}, seed
+
+
+def test_a_simulation_that_is_said_to_be_measured_is_remarked_on():
+    """Its rest is filled in, without a digit of noise."""
+    sheet = prepare("pendulum").procedure
+    made = leg_channels(0)
+    step = made.interval
+    time = step * np.arange(-2000, made.time.size)
+    channels = {
+        name: replace(each, values=np.concatenate([np.full(2000, each.values[0]), each.values]))
+        for name, each in made.channels.items()
+    }
+    said = Recording("measured", time, channels, conditions=CONDITIONS, table=made.table, source="made up")
+    assert [remark.code for remark in measure_all(sheet, said).remarks] == ["silent-at-rest"]
 
 
 @pytest.mark.parametrize("case", [2, 3, 4])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from certkit.signals.plausibility_rest import copies, drift_until_peak, swing_at_rest
+from certkit.signals.plausibility_rest import copies, drift_until_peak, is_silent, swing_at_rest
 
 TIME = 1e-4 * np.arange(400)
 HUM = np.sin(2 * np.pi * 50.0 * TIME)
@@ -51,3 +51,16 @@ def test_hum_is_a_swing_and_no_drift():
     assert drift_until_peak(10.0 * HUM, 800, 250.0) is None
     assert swing_at_rest(20.0 * HUM, 250.0) == pytest.approx(0.16, rel=0.01)
     assert swing_at_rest(10.0 * HUM, 250.0) is None
+
+
+@pytest.mark.parametrize(
+    ("deviation", "digit", "silent"),
+    [(0.0, 1e-6, True), (0.0, 0.1, False), (1e-4, 1e-6, False), (0.02, 0.1, False)],
+    ids=["simulated", "coarse digits", "a quiet amplifier", "noise below a digit"],
+)
+def test_no_noise_where_digits_would_show_it_is_no_amplifier(deviation: float, digit: float, *, silent: bool):
+    rest = 3.0 + noise(4, deviation)
+    place = np.linspace(0.0, np.pi, 4000)
+    blow = 250.0 * np.sin(place) * np.exp(-0.3 * place)
+    values = np.round(np.concatenate([rest, 3.0 + blow]) / digit) * digit
+    assert is_silent(values[: rest.size], values, 400.0) == silent
