@@ -51,7 +51,17 @@ def _outside_conditions(setup: Setup) -> list[Reason]:
         value = known.get(precondition.quantity)
         reason = None if value is None else grade_precondition(precondition, value).coded_reason
         if reason is not None:
-            said.append(Reason.of("model-outside-condition", **reason.parameters))
+            told = reason.parameters
+            said.append(
+                Reason.of(
+                    "model-outside-condition",
+                    quantity=told["quantity"],
+                    value=told["value"],
+                    unit=told["unit"],
+                    lower=told["lower"],
+                    upper=told["upper"],
+                )
+            )
     return said
 
 
