@@ -125,7 +125,8 @@ def _range(factor: VariedParameter, t: Translate) -> dict[str, str]:
 
 def _quantity(value: FigureOrWord, unit: str, *, word: bool = True) -> str:
     """Write a value with its unit; a word has none."""
-    return f"{value}" if not unit or (word and isinstance(value, str)) else f"{value} {unit}"
+    text = value if isinstance(value, str) else plain(value)
+    return text if not unit or (word and isinstance(value, str)) else f"{text} {unit}"
 
 
 def _with_unit(name: str, units: dict[str, str]) -> str:

@@ -172,3 +172,10 @@ def test_the_page_names_every_output_and_parameter_and_runs_nothing() -> None:
     assert "<script" not in page
     for words in ("A toy", ">y<", ">a<", "Quick model"):
         assert words in page
+
+
+def test_a_value_in_the_definitions_is_written_as_it_stands_there() -> None:
+    factors = [Factor("a", "N", Uniform(1080.0, 2000.0), 1540.0), Factor("b", "", Uniform(-1.0, 1.0), -0.5)]
+    page = study_page(study_report(carried({"kind": "latin hypercube", "runs": 20}, factors, toys.linear)))
+    assert "<td>1540 N</td>" in page
+    assert "<td>−0.5</td>" in page
