@@ -150,9 +150,9 @@ def _bare(annotation: object, place: str) -> Iterator[str]:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "damaged"),
+        ("", "no document of certkit"),
         ("{", "damaged"),
-        ("\x00", "damaged"),
+        ("\x00", "no document of certkit"),
         ("[" * 100_000, "damaged"),
         ("{}", "names no schema"),
         ("3", "names no schema"),
