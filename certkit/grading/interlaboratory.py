@@ -65,7 +65,8 @@ class LaboratoryStatistics(Struct, frozen=True):
     z : float or None
         Distance of its mean from the robust mean of all, in robust standard deviations (ISO 13528, 9.4).
     h, k : float or None
-        Mandel's: its mean among the means, its scatter over the pooled one.
+        Mandel's: its mean among the means, and s_i·√p / √Σs², its scatter among those of p laboratories
+        (ISO 5725-2, 7.3.1).
     found : tuple of (str, str)
         Tests that it fell in, and as what: `("cochran", "outlier")`, `("grubbs", "straggler")`.
     """
@@ -140,7 +141,8 @@ def statistics_by_laboratory(tests: Mapping[str, Sequence[float]]) -> dict[str, 
     rows = {name: np.asarray(tests[name], dtype=float) for name in names}
     means = np.array([rows[name].mean() for name in names])
     centre, scale = robust_mean(means.tolist())
-    pooled = precision(tests).within
+    scatter = [_deviation(row) ** 2 for row in rows.values() if row.size > 1]
+    usual = math.sqrt(sum(scatter) / len(scatter)) if scatter else 0.0
     spread = _deviation(means) if len(names) >= FEWEST_LABORATORIES else 0.0
     marks = (_cochran(rows), _grubbs(means, names))
     return {
@@ -149,7 +151,7 @@ def statistics_by_laboratory(tests: Mapping[str, Sequence[float]]) -> dict[str, 
             deviation=_deviation(rows[name]) if rows[name].size > 1 else None,
             z=(float(mean) - centre) / scale if scale > 0 else None,
             h=(float(mean) - float(means.mean())) / spread if spread > 0 else None,
-            k=_deviation(rows[name]) / pooled if pooled and rows[name].size > 1 else None,
+            k=_deviation(rows[name]) / usual if usual > 0 and rows[name].size > 1 else None,
             found=tuple(mark[name] for mark in marks if name in mark),
         )
         for name, mean in zip(names, means, strict=True)

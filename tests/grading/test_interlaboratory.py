@@ -42,6 +42,13 @@ def test_a_laboratory_that_scatters_is_cochrans_and_one_that_lies_apart_is_grubb
     assert apart["odd"].z > 3
 
 
+@pytest.mark.parametrize("number", range(4))
+def test_mandels_k_counts_every_laboratory_alike(number: int) -> None:
+    """By the standard k² is one in the mean, whatever numbers of tests the laboratories made."""
+    found = statistics_by_laboratory(level(number))
+    assert sum((row.k or 0.0) ** 2 for row in found.values()) == pytest.approx(len(found))
+
+
 def test_single_tests_give_no_repeatability_but_a_spread() -> None:
     found = precision({"a": [1.0], "b": [2.0], "c": [3.0]})
     assert (found.within, found.between, found.total) == (None, None, pytest.approx(1.0))
