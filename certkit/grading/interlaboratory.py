@@ -66,7 +66,7 @@ class LaboratoryStatistics(Struct, frozen=True):
         Distance of its mean from the robust mean of all, in robust standard deviations (ISO 13528, 9.4).
     h, k : float or None
         Mandel's: its mean among the means, and s_i·√p / √Σs², its scatter among those of p laboratories
-        (ISO 5725-2, 7.3.1).
+        (ISO 5725-2:1994, 7.3.1.3).
     found : tuple of (str, str)
         Tests that it fell in, and as what: `("cochran", "outlier")`, `("grubbs", "straggler")`.
     """
