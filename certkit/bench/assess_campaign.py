@@ -67,7 +67,8 @@ def campaign(
     library : str, Path, or sequence of them
         Folders with own definitions, searched first; those beside the campaign's file come next.
     unverified : bool
-        Take results that were changed since certkit wrote them as well.
+        Take results that were changed since certkit wrote them as well, also those that come to other values
+        when they are graded again.
     force : bool
         Replace another campaign in the folder.
     step : callable
@@ -117,6 +118,10 @@ def assess(
     changed = [f"{p.name} ({s.label})" for p in points for s in p.sources if s.certificate == MARK]
     if changed:
         remarks.append(Reason.of("point-results-changed", mark=MARK, points=changed))
+    bare = {place for place, result in results.items() if result.channels is None}
+    taken = [f"{p.name} ({s.label})" for p in points for s in p.sources if s.folder in bare]
+    if taken:
+        remarks.append(Reason.of("point-results-without-channels", points=taken))
     document = CampaignReport(
         campaign=sheet.campaign,
         title=sheet.title,

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from certkit.bench.grade_measurement import grade
+from certkit.bench.graded_again import wrong_values
 from certkit.bench.regrade import embedded_channels
 from certkit.bench.results_at_path import result_at
 from certkit.bench.run_simulation import run
 from certkit.definitions.units import UNITS, dimensions, from_si, parse_quantity
 from certkit.documents.campaign_report import PointValue, SourceReport
 from certkit.documents.result import InputFile, Result
-from certkit.documents.unverified import MARK, is_marked
+from certkit.documents.unverified import MARK, is_marked, marked
 from certkit.documents.verdicts import worst
 from certkit.errors import DataError, DefinitionError, InputError, RunError
 from certkit.reasons import Reason
@@ -99,23 +100,34 @@ def _lumped(source: PointSource, files: CampaignFiles) -> LoadedSource:
 
 def _from_file(source: PointSource, files: CampaignFiles) -> LoadedSource:
     path = files.folder / (source.file or "")
-    result = result_at(path, unverified=files.unverified)
-    document = path if result is None else Result.file_at(path)
-    if result is None:
-        result = grade(
-            _named(source.procedure or files.campaign.procedure, files),
-            path,
-            laboratory=None if source.laboratory is None else files.folder / source.laboratory,
-            mapping=None if source.mapping is None else files.folder / source.mapping,
-            library=files.library,
-        )
+    found = result_at(path, unverified=files.unverified)
+    document = path if found is None else Result.file_at(path)
+    result = found or grade(
+        _named(source.procedure or files.campaign.procedure, files),
+        path,
+        laboratory=None if source.laboratory is None else files.folder / source.laboratory,
+        mapping=None if source.mapping is None else files.folder / source.mapping,
+        library=files.library,
+    )
     measured = result.kind == "test evaluation"
     if measured != (source.measured is not None):
         said = "finite elements" if measured else "measured"
         raise DataError(f"{path}: holds a {result.kind}, and stands under `{said}` in the campaign; move it")
+    if found is not None:
+        result = _graded_again(found, document, files)
     return _of_result(
         source, result, source.by or source.file or "", files, read=_read(source, document, result)
     )
+
+
+def _graded_again(result: Result, path: Path, files: CampaignFiles) -> Result:
+    """Return a result that comes to its values when it is graded again; a changed one marked, if allowed."""
+    faults = [] if is_marked(result) else wrong_values(str(path), result)
+    if not faults:
+        return result
+    if not files.unverified:
+        raise DataError("\n".join(faults))
+    return marked(result)
 
 
 def _read(source: PointSource, path: Path, result: Result) -> tuple[InputFile, ...]:
