@@ -40,7 +40,13 @@ class Effect(Part):
         Field(description="95 % interval; of a one-at-a-time design the lowest setting against the middle."),
     ]
     upper: Annotated[Figure | None, Field(description="Likewise, of the highest setting.")]
-    share: Annotated[Figure, Field(description="Of the variance, or of the squared effects.")]
+    share: Annotated[
+        Figure,
+        Field(
+            description="Variance that it brings along the plane, over that of all parameters and of what "
+            "the plane leaves; one at a time: its squared effect over the sum of all."
+        ),
+    ]
 
 
 class SensitivityIndex(Part):

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 CONFIDENCE = 0.95
 
+ROUNDING = 1e-12
+"""Of its size: a value that differs by less over all runs does not move, and nothing has a share in that."""
+
 
 def coded(table: pd.DataFrame, factors: Sequence[Factor]) -> NDArray[np.float64]:
     """Return the factors' settings, shape (n, k), brought to −1 … 1 over each range; words by their place."""
@@ -53,8 +56,11 @@ def main_effects(table: pd.DataFrame, factors: Sequence[Factor], outputs: Sequen
     -------
     DataFrame
         Columns `output`, `factor`, `effect`, `lower`, `upper` (95 % confidence interval by Student's t from
-        the scatter around the plane; NaN where there are no more runs than coefficients), `share` (of the
-        variance that the plane explains, in a design whose factors are independent).
+        the scatter around the plane; NaN where there are no more runs than coefficients), `share` (the
+        variance that the factor brings along the plane, over the sum of all factors' and of the scatter
+        around it). Variances of independent factors add up; in a small sample those of the runs do not quite,
+        since the settings correlate a little by chance, so the sum stands below the line, not the outputs'
+        variance: shares are never above 1 together.
     """
     import pandas as pd  # noqa: PLC0415  # slow to import
     from scipy.stats import t as student  # noqa: PLC0415  # slow to import
@@ -72,8 +78,9 @@ def main_effects(table: pd.DataFrame, factors: Sequence[Factor], outputs: Sequen
         variance = float(residual @ residual) / freedom if freedom > 0 else np.nan
         spread = np.sqrt(np.clip(np.diag(np.linalg.pinv(x.T @ x)), 0, None) * variance)
         reach = spread * float(student.ppf((1 + CONFIDENCE) / 2, freedom)) if freedom > 0 else spread
-        total = float(np.var(y))
         explained = slopes[1:] ** 2 * np.var(x[:, 1:], axis=0)
+        total = float(explained.sum() + np.mean(residual**2))
+        moved = np.ptp(y) > ROUNDING * np.abs(y).max()
         for index, factor in enumerate(factors):
             effect, half = 2 * slopes[index + 1], 2 * reach[index + 1]
             rows.append(
@@ -83,7 +90,7 @@ def main_effects(table: pd.DataFrame, factors: Sequence[Factor], outputs: Sequen
                     "effect": float(effect),
                     "lower": float(effect - half),
                     "upper": float(effect + half),
-                    "share": float(explained[index] / total) if total > 0 else 0.0,
+                    "share": float(explained[index] / total) if moved else 0.0,
                 }
             )
     return pd.DataFrame(rows, columns=["output", "factor", "effect", "lower", "upper", "share"])

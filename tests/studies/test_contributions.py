@@ -72,6 +72,34 @@ def test_the_interval_of_a_main_effect_holds_the_truth_about_as_often_as_it_says
     assert 88 <= inside <= 100
 
 
+def linear_with_a_bend(point: Any) -> Any:  # noqa: ANN401
+    return {"y": toys.linear(point)["y"] + 0.3 * (point["a"] - 1.0) * (point["b"] - 1.0)}
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_shares_and_what_the_plane_leaves_are_never_more_than_the_whole(seed: int) -> None:
+    small = {"kind": "latin hypercube", "runs": 8, "seed": seed}
+    exact = carried(small, AB, toys.linear).effects
+    assert exact[exact["output"] == "y"]["share"].sum() == pytest.approx(1.0)
+    bent = carried(small, AB, linear_with_a_bend).effects
+    assert 0.5 < bent["share"].sum() < 1.0
+
+
+@pytest.mark.parametrize(
+    "design", [{"kind": "full factorial", "levels": 5}, {"kind": "latin hypercube", "runs": 2000}]
+)
+def test_shares_of_a_linear_toy_are_those_of_the_variances(design: dict[str, Any]) -> None:
+    # Over its range a moves y by 6 and b by 8: variances as 36 to 64, which Sobol's first orders are too.
+    effects = carried(design, AB, toys.linear).effects
+    share = effects[effects["output"] == "y"].set_index("factor")["share"]
+    assert share.to_dict() == pytest.approx({"a": 0.36, "b": 0.64}, rel=1e-4)
+
+
+def test_a_value_that_nothing_moves_has_no_shares() -> None:
+    effects = carried({"kind": "latin hypercube", "runs": 8}, AB, lambda _: {"y": 3.0}).effects
+    assert effects["share"].to_list() == pytest.approx([0.0, 0.0], abs=1e-9)
+
+
 def test_sobol_indices_of_ishigami_lie_within_their_intervals() -> None:
     pytest.importorskip("SALib")
     indices = carried({"kind": "sobol indices", "samples": 1024, "seed": 0}, XYZ, toys.ishigami).indices
