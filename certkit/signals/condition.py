@@ -20,6 +20,7 @@ from certkit.reasons import Reason
 from certkit.signals.clipping import beyond_class, find_clipping
 from certkit.signals.noise import ALLOWED, FREE_FLIGHT_NOISE, WINDOW, free_flight
 from certkit.signals.offset import MARGIN, SHORTEST, quiet_interval, remove_offset
+from certkit.signals.plausibility_steps import drop_out
 from certkit.signals.polarity import LOUD, is_swapped
 from certkit.signals.time_zero import LATE, TOLERANCE, first_contact, shifted
 
@@ -205,16 +206,21 @@ def offset_free(recording: Recording, situation: Situation) -> Recording:
 
 
 def right_way_round(recording: Recording, situation: Situation) -> Recording:
-    """Refuse (or turn, when lenient) channels whose sign is known and that point the other way."""
+    """Refuse (or turn, when lenient) channels whose sign is known and that point the other way.
+
+    A spike has no sign; where a channel drops out the plausibility gate says so.
+    """
     if not situation.signs_known:
         return recording
     begin = int(np.searchsorted(recording.time, 0.0))
+    interval = float(recording.time[1] - recording.time[0])
 
     def check(channel: Channel) -> Channel:
         kind = recording.table.kinds.get(channel.name)
         sign = kind.sign if kind else 0
         least = LOUD * (kind.amplitude_class or 0.0) if kind else 0.0
-        if not is_swapped(channel.values[begin:], sign, least=least):
+        values = channel.values[begin:]
+        if not is_swapped(values, sign, least=least) or drop_out(values, interval, float(np.ptp(values))):
             return channel
         if not situation.lenient:
             raise DataError(

@@ -209,6 +209,20 @@ def test_a_swapped_polarity_is_refused(certkit: Command, tmp_path: Path):
     assert_refused(certkit, tmp_path / "leg.csv", "`T1` has its polarity swapped")
 
 
+@pytest.mark.parametrize("how", [(), ("--lenient",)], ids=["strict", "lenient"])
+def test_a_value_that_stands_for_a_missing_sample_is_told_as_a_jump(
+    certkit: Command, tmp_path: Path, how: tuple[str, ...]
+):
+    recording = pendulum_like()
+    values = recording["T1"].values.copy()
+    values[int(np.argmax(values)) + 40] = -9999.0
+    spiked = replace(recording["T1"], values=values)
+    write_csv(replace(recording, channels={**recording.channels, "T1": spiked}), tmp_path / "leg.csv")
+    code, printed, errors = certkit("grade", "--procedure", "pendulum", tmp_path / "leg.csv", *how)
+    assert code == 4, errors
+    assert "T1: it jumps by" in printed
+
+
 def test_a_clipped_channel_is_refused(certkit: Command, tmp_path: Path):
     recording = pendulum_like()
     clipped = replace(recording["T1"], values=np.minimum(recording["T1"].values, 180.0))

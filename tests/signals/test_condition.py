@@ -143,6 +143,15 @@ def test_lenient_turns_a_swapped_channel_with_a_note():
     assert rec["T2"].notes[0] == Reason.of("sign-turned")
 
 
+@pytest.mark.parametrize("situation", [CERTIFIED, LENIENT], ids=["strict", "lenient"])
+def test_a_spike_is_no_swap_and_turns_no_channel(situation: Situation):
+    spiked = half_sine(TIME, 250.0)
+    spiked[int(np.argmax(spiked)) + 40] = -9999.0
+    kept = right_way_round(recording(TIME, {"T2": spiked}), situation)["T2"]
+    assert np.array_equal(kept.values, spiked)
+    assert kept.notes == ()
+
+
 def test_a_rebound_is_no_swap_until_it_is_half_as_large_again_as_the_peak():
     peak = half_sine(TIME, 100.0)
     assert not is_swapped(peak - half_sine(TIME, 145.0, start=0.06))
