@@ -24,10 +24,11 @@ from certkit.bench.verify_campaign import campaign_checks
 from certkit.bench.verify_document import document_checks, table_check
 from certkit.bench.verify_grading import grading_checks
 from certkit.bench.verify_legform_certificate import legform_checks, logbook_check
-from certkit.bench.verify_replacement import replacement_checks
+from certkit.bench.verify_replacement import replacement_checks, results_in
 from certkit.bench.verify_reports import report_checks
 from certkit.bench.verify_reproduction import reproduction_checks
 from certkit.bench.verify_sources import definition_checks, source_checks
+from certkit.bench.verify_suite import in_one, suite_runs, suite_verification
 from certkit.documents.campaign_report import CampaignReport
 from certkit.documents.document_kinds import document_in, documents_from
 from certkit.documents.legform_certificate import LOGBOOK, LegformCertificate
@@ -65,7 +66,7 @@ def verify(
     ----------
     path : str or Path
         A document that certkit wrote (`result.json`, `extraction.json`, …), `report.pdf` (by its
-        attachments), or the folder of a run.
+        attachments), or the folder of a run or of a suite, whose checks each name their run.
     data : sequence of str or Path
         Recordings behind it, to compare with their hashes and channels.
     trust : str or Path, optional
@@ -82,15 +83,32 @@ def verify(
     UsageError
         When a file of `trust` or `data` is missing.
     """
+    found = verify_each(path, data, trust=trust, quick=quick, others=others)
+    return in_one(str(Path(path)), found)
+
+
+def verify_each(
+    path: str | Path,
+    data: Sequence[str | Path] = (),
+    *,
+    trust: str | Path | None = None,
+    quick: bool = False,
+    others: Sequence[str | Path] = (),
+) -> list[Verification]:
+    """Do as `verify`; of a suite's folder, each run by itself, then what binds them."""
     path = Path(path)
-    beside = tuple(result for other in others if Path(other) != path for result in results_in(Path(other)))
+    runs = suite_runs(path)
+    beside = tuple(
+        result for other in (*others, *runs) if Path(other) != path for result in results_in(Path(other))
+    )
     wanted = Wanted(tuple(map(Path, data)), None if trust is None else Path(trust), quick, beside)
     for given in (*wanted.data, *((wanted.trust,) if wanted.trust else ())):
         if not given.exists():
             raise UsageError(f"{given}: there is no such file or folder; check the name")
-    if path.is_dir():
-        return _folder(path, wanted)
-    return _file(path, wanted)
+    if runs:
+        bound = suite_verification(path, runs, lambda pdf: _pdf(pdf, wanted, content_too=False))
+        return [*(_folder(run, wanted) for run in runs), *bound]
+    return [_folder(path, wanted) if path.is_dir() else _file(path, wanted)]
 
 
 def _file(path: Path, wanted: Wanted) -> Verification:
@@ -117,7 +135,9 @@ def _file(path: Path, wanted: Wanted) -> Verification:
 
 def is_certificate(path: Path) -> bool:
     """Tell whether a path is something to verify, rather than a recording to verify it with."""
-    return path.suffix.lower() in {".json", ".pdf"} or (path.is_dir() and document_in(path) is not None)
+    return path.suffix.lower() in {".json", ".pdf"} or bool(
+        path.is_dir() and (document_in(path) or suite_runs(path))
+    )
 
 
 def _content_checks(result: Result, wanted: Wanted) -> list[Check]:
@@ -136,7 +156,9 @@ def _content_checks(result: Result, wanted: Wanted) -> list[Check]:
 def _folder(path: Path, wanted: Wanted) -> Verification:
     document = document_in(path)
     if document is None:
-        raise DataError(f"{path}: no result.json in it; name the folder of one run, a result.json or a PDF")
+        raise DataError(
+            f"{path}: no result.json in it or its folders; name the folder of a run, a result.json or a PDF"
+        )
     if document.name != Result.file_name:
         found = _file(document, wanted)
         beside = beside_checks(path, document, lambda pdf: _pdf(pdf, wanted))
@@ -196,29 +218,6 @@ def _legform_pdf(
     checks.append(logbook_check(document, attached.files.get(LOGBOOK, b""), attached.language))
     checks += _paper_checks(path, content, lambda: _printed_certificate(document, attached), wanted)
     return Verification(str(path), (document.id,), tuple(checks), (document.verdict,))
-
-
-def results_in(path: Path) -> list[Result]:
-    """Return the results of a document, of a PDF, or of a run's folder.
-
-    Raises
-    ------
-    DataError
-        When it is none of them.
-    """
-    if path.is_dir():
-        path = document_in(path) or path
-    if path.suffix.lower() == ".pdf":
-        texts = {name: text for name, text in attachments_of(path).files.items() if name.endswith(".json")}
-    else:
-        texts = {str(path): read_bounded(path)}
-    found = [document for name, text in texts.items() for document in documents_from(text, name)]
-    return [
-        result
-        for document in found
-        for result in (document.results if isinstance(document, LegformCertificate) else [document])
-        if isinstance(result, Result)
-    ]
 
 
 def _ordered(results: list[Result], attached: Attached) -> tuple[list[Result], Check]:

@@ -1,17 +1,22 @@
-"""Check of a report against others that are handed beside it: whether one of them took its place."""
+"""Check whether a report was replaced by others that are handed beside it; the results that these hold."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from certkit.bench.pdf_attachments import attachments_of
 from certkit.bench.verification import Check, fails
+from certkit.bench.verify_suite import suite_runs
+from certkit.documents.document_kinds import document_in, documents_from
+from certkit.documents.legform_certificate import LegformCertificate
+from certkit.documents.result import Result
 from certkit.errors import DataError
+from certkit.files.bounded import read_bounded
 from certkit.logbooks.logbook_entry import entry_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
-
-    from certkit.documents.result import Result
+    from pathlib import Path
 
 
 def replacement_checks(result: Result, others: Iterable[Result]) -> Iterator[Check]:
@@ -40,3 +45,30 @@ def replacement_checks(result: Result, others: Iterable[Result]) -> Iterator[Che
                 reason=test.get("reason", "not stated"),
                 changes=test.get("changes", "not stated"),
             )
+
+
+def results_in(path: Path) -> list[Result]:
+    """Return the results of a document, of a PDF, or of the folder of a run or a suite.
+
+    Raises
+    ------
+    DataError
+        When it is none of them.
+    """
+    runs = suite_runs(path)
+    if runs:
+        return [result for run in runs for result in results_in(run)]
+    if path.is_dir():
+        path = document_in(path) or path
+    if path.suffix.lower() == ".pdf":
+        attached, whole = attachments_of(path), LegformCertificate.file_name
+        texts = {whole: attached.files[whole]} if whole in attached.files else attached.results
+    else:
+        texts = {str(path): read_bounded(path)}
+    found = [document for name, text in texts.items() for document in documents_from(text, name)]
+    return [
+        result
+        for document in found
+        for result in (document.results if isinstance(document, LegformCertificate) else [document])
+        if isinstance(result, Result)
+    ]

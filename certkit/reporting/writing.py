@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+import re
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -23,6 +25,10 @@ if TYPE_CHECKING:
     from certkit.reporting.result_view import View
 
 SUITE_TITLE = "Certification suite"
+TITLE_BYTES = 5000
+"""Of a page, within which its title stands."""
+
+_TITLE = re.compile(rb"<title>([^<]*)</title>")
 
 
 def checked(formats: Collection[str]) -> list[str]:
@@ -179,3 +185,32 @@ def _write(  # what a format takes
             write_whole(out / file, content)
             written.append(out / file)
     return written
+
+
+def suite_again(results: Sequence[Result], form: str, content: bytes, folder: Path) -> bytes:
+    """Render what binds several results again, in the language of what is there, under the suite's title.
+
+    Parameters
+    ----------
+    results : sequence of Result
+        As they were read, in their order.
+    form : str
+        Of `FORMATS`; a repeatable one.
+    content : bytes
+        What is there; read for its language alone.
+    folder : Path
+        The suite's, whose index page says the title that the suite was given.
+    """
+    made = report_format(form)
+    spoken = ENGLISH
+    if made.TRANSLATED:
+        spoken = import_module(FORMATS[form]).language_of(content)
+    again = made.write(unique_views(results, spoken), title=_title_in(folder), paper="A4") or b""
+    return again.encode() if isinstance(again, str) else again
+
+
+def _title_in(folder: Path) -> str:
+    """Return the title that a suite's index page says; the usual one where there is none."""
+    page = folder / "index.html"
+    said = _TITLE.search(page.read_bytes()[:TITLE_BYTES]) if page.is_file() else None
+    return SUITE_TITLE if said is None else html.unescape(said[1].decode("utf-8", "replace"))
