@@ -63,11 +63,17 @@ class FittedParameter(Part):
     unit: str
     before: Figure
     after: Figure
-    deviation: Annotated[Figure, Field(description="Standard deviation that the tests leave.")]
+    deviation: Annotated[Figure, Field(description="Standard deviation that tests, bounds and priors leave.")]
     lower: Annotated[Figure, Field(description="Bound.")]
     upper: Annotated[Figure, Field(description="Bound.")]
-    narrowed_to: Annotated[Figure, Field(description="Deviation as a part of what the bounds alone leave.")]
+    narrowed_to: Annotated[
+        Figure,
+        Field(description="Deviation that the tests leave without priors, of what the bounds alone leave."),
+    ]
     determined: Annotated[bool, Field(description="False: the tests say hardly more than the bounds.")]
+    on_bound: Annotated[
+        bool, Field(description="True: it stands on a bound, and the tests would rather have it beyond.")
+    ] = False
     reason: Annotated[str, Field(description="Why these bounds.")] = ""
 
 
@@ -131,5 +137,8 @@ class CalibrationReport(OutputDocument):
     correlations: list[StrongCorrelation]
     open_directions: list[OpenDirection]
     basins: Annotated[list[ReachedBasin], Field(default_factory=list, description="Of other searches.")]
+    nearer_elsewhere: Annotated[
+        bool, Field(description="True: one of the other searches came nearer than this fit.")
+    ] = False
     family: FamilyFigures | None = None
     certkit: str = ""

@@ -120,6 +120,13 @@ def calibration_text(document: CalibrationReport) -> str:
     open_ones = [parameter.name for parameter in document.parameters if not parameter.determined]
     if open_ones:
         lines.append(f"not determined by these tests: {', '.join(open_ones)}")
+    on_bounds = [parameter.name for parameter in document.parameters if parameter.on_bound]
+    if on_bounds:
+        lines.append(f"on a bound: {', '.join(on_bounds)}")
+    if document.nearer_elsewhere:
+        lines.append("another search came nearer than this fit; take `start: anywhere`")
+    if document.rms_after > 1:
+        lines.append("the targets are not met, on the whole: deviations of the parameters are too small")
     return "\n".join(lines)
 
 

@@ -177,6 +177,7 @@ def test_a_fit_to_histories_finds_the_stiffness_they_were_made_with(
         ({"channels": ["T9"]}, "no channel is called `T9`"),
         ({"recording": "none.csv"}, "no such file"),
         ({"tolerance": "5 mm"}, "has to be a share"),
+        ({"tolerance": "0 %"}, "0 % of the recorded peak is nothing"),
     ],
 )
 def test_a_target_that_cannot_be_aimed_at_is_refused_before_anything_runs(

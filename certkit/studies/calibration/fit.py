@@ -33,6 +33,10 @@ if TYPE_CHECKING:
     from certkit.studies.points import Outcome
 
 
+NEARER = 0.01
+"""Share of the sum of squares by which another place has to be better to be called nearer."""
+
+
 class Task(Struct, frozen=True):
     """A fit made ready: what is run, what is free, what is aimed at."""
 
@@ -60,6 +64,8 @@ class Calibration(Struct, frozen=True):
         else they show what else the tests allow.
     left_out : dict of str to float
         What each value came to in a fit without it, where that was wanted.
+    nearer : bool
+        Whether another search came nearer than this fit.
     report : CalibrationReport, optional
         Its document, where it was written.
     files : tuple of Path
@@ -74,6 +80,7 @@ class Calibration(Struct, frozen=True):
     runs: int
     basins: tuple[Basin, ...]
     left_out: dict[str, float | str | None]
+    nearer: bool = False
     report: CalibrationReport | None = None
     files: tuple[Path, ...] = ()
 
@@ -163,16 +170,21 @@ def calibrate(task: Task, runs: Runs, tell: Tell = lambda _: None) -> Calibratio
     misfit = Misfit(runs, task.space, task.goals, search.pull)
     best = downhill(misfit, everywhere(misfit, search, tell), search.steps, tell)
     basins = find_basins(misfit, search, tell) if search.basins else []
+    own = basin_at(misfit, "first", best)
+    nearest = min([own, *basins], key=lambda basin: basin.squares)
     if search.start == "anywhere":
-        own = basin_at(misfit, "first", best)
-        best = min([own, *basins], key=lambda basin: basin.squares).shares
+        own, best = nearest, nearest.shares
     before, after = runs([task.space.point(task.space.start), task.space.point(best)])
     if after.error:
         raise RunError(f"the best place found cannot be run ({after.error}); narrow the bounds")
+    missing = [goal.name for goal in task.goals if not isinstance(after.outputs.get(goal.name), float)]
+    if missing:
+        raise RunError(f"the best place found gives no value of {missing[0]}; leave it out of the targets")
     slopes = misfit.jacobian(best)[: len(task.goals)]
     left_out = _left_out(misfit, best, search.steps, tell) if search.leave_one_out else {}
     known = knowledge(task.space, best, slopes)
-    return Calibration(task, best, before, after, known, runs.known, tuple(basins), left_out)
+    nearer = nearest.squares < (1 - NEARER) * own.squares
+    return Calibration(task, best, before, after, known, runs.known, tuple(basins), left_out, nearer=nearer)
 
 
 def _left_out(

@@ -41,6 +41,9 @@ if TYPE_CHECKING:
     from certkit.studies.recorded_curve import RecordedCurve
 
 LEG = "legform."
+ON_BOUND = 1e-3
+"""Share of the bounds' width within which a number stands on its bound."""
+
 NUMBER = {"value", "source", "confidence"}
 
 
@@ -160,6 +163,7 @@ def report(calibration: Calibration, members: NDArray[Any] | None = None) -> Cal
                 upper=axis.high,
                 narrowed_to=known.narrowed[axis.name],
                 determined=axis.name not in known.undetermined,
+                on_bound=not ON_BOUND < share < 1 - ON_BOUND,
                 reason=parameter.reason,
             )
             for axis, share, parameter in zip(
@@ -175,6 +179,7 @@ def report(calibration: Calibration, members: NDArray[Any] | None = None) -> Cal
             )
             for basin in calibration.basins
         ],
+        nearer_elsewhere=calibration.nearer,
         family=None if members is None else FamilyFigures(members=len(members), **asdict(extent(members))),
         correlations=[StrongCorrelation(between=(a, b), coefficient=c) for a, b, c in known.correlations],
         open_directions=list(known.open),

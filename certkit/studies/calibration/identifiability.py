@@ -28,11 +28,12 @@ class Knowledge(Struct, frozen=True):
     Parameters
     ----------
     deviations : mapping of str to float
-        Standard deviation of each parameter, in its unit.
+        Standard deviation of each parameter, in its unit, from tests, bounds and priors.
     narrowed : mapping of str to float
-        The same as a part of what the bounds alone leave: 1 is nothing learnt.
+        That which the tests leave without priors, as a part of what the bounds alone leave: 1 is nothing
+        learnt.
     covariance : ndarray, shape (k, k)
-        Of the shares.
+        Of the shares, priors included.
     correlations : tuple of (str, str, float)
         Strong ones, strongest first.
     open : tuple of OpenDirection
@@ -55,7 +56,8 @@ def knowledge(space: Space, shares: NDArray[np.float64], jacobian: NDArray[np.fl
     """Linearise at the fit.
 
     Every value may lie anywhere in its corridor (standard deviation `WITHIN` half-widths) and every
-    parameter anywhere between its bounds (`FLAT`), which is also what makes the matrix regular.
+    parameter anywhere between its bounds (`FLAT`), which is also what makes the matrix regular. What a prior
+    adds counts for deviations and correlations, not for what the tests determine.
 
     Parameters
     ----------
@@ -65,7 +67,12 @@ def knowledge(space: Space, shares: NDArray[np.float64], jacobian: NDArray[np.fl
         Of the goals' residuals, without those of the parameters.
     """
     information = jacobian.T @ jacobian / WITHIN**2
-    covariance = np.linalg.inv(information + np.eye(len(shares)) / FLAT**2)
+    of_tests = np.linalg.inv(information + np.eye(len(shares)) / FLAT**2)
+    priors = [
+        0.0 if axis.prior is None else (axis.slope(float(s)) / axis.prior[1]) ** 2
+        for axis, s in zip(space.axes, shares, strict=True)
+    ]
+    covariance = np.linalg.inv(information + np.eye(len(shares)) / FLAT**2 + np.diag(priors))
     deviation = np.sqrt(np.diag(covariance))
     correlation = covariance / np.outer(deviation, deviation)
     names = space.names
@@ -75,7 +82,7 @@ def knowledge(space: Space, shares: NDArray[np.float64], jacobian: NDArray[np.fl
         for j in range(i)
         if abs(correlation[i, j]) >= STRONG
     ]
-    spreads, vectors = np.linalg.eigh(covariance)
+    spreads, vectors = np.linalg.eigh(of_tests)
     left = [
         OpenDirection(spread=float(np.sqrt(spreads[i]) / FLAT), parts=_parts(names, vectors[:, i]))
         for i in reversed(range(len(names)))
@@ -86,7 +93,7 @@ def knowledge(space: Space, shares: NDArray[np.float64], jacobian: NDArray[np.fl
             axis.name: float(d * axis.slope(float(s)))
             for axis, d, s in zip(space.axes, deviation, shares, strict=True)
         },
-        narrowed={name: float(d / FLAT) for name, d in zip(names, deviation, strict=True)},
+        narrowed={name: float(np.sqrt(v) / FLAT) for name, v in zip(names, np.diag(of_tests), strict=True)},
         covariance=np.asarray(covariance, dtype=np.float64),
         correlations=tuple(sorted(pairs, key=lambda pair: -abs(pair[2]))),
         open=tuple(left),

@@ -69,6 +69,11 @@ def recorded_goals(target: Target, curves: dict[str, RecordedCurve]) -> list[Goa
         curve = curves[curve_name(target.procedure, *pair)]
         scale, unit = curve.dimension.scale, curve.dimension.unit
         one = tolerance * abs(curve.peak) * scale
+        if not one:
+            raise UsageError(
+                f"{curve.name}: {target.tolerance} of the recorded peak is nothing: "
+                "leave the channel out, which may be dead"
+            )
         if target.measure == "peak":
             goals.append(
                 Goal(f"{curve.name} peak", curve.peak * scale, one, unit, target.weight, graded=False)

@@ -55,20 +55,41 @@ class Misfit:
         row: NDArray[np.float64] = self.many(shares[None, :])[0]
         return row
 
+    def had(self, shares: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Tell which residuals, shape (n, m), come from a value that its run gave."""
+        outcomes = self.runs([self.space.point(row) for row in shares])
+        return np.array(
+            [
+                [isinstance(outcome.outputs.get(goal.name), float) for goal in self.goals]
+                + [True] * len(self.space.axes)
+                for outcome in outcomes
+            ]
+        )
+
     def jacobian(self, shares: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the derivatives, shape (m, k), by central differences, one-sided at a bound."""
+        """Return the derivatives, shape (m, k), by central differences, one-sided at a bound.
+
+        Beside a run that gave no value they are one-sided too, and zero between two such runs: that a run
+        fails there tells nothing of how a value depends on a parameter.
+        """
         count = len(shares)
         ahead, behind = (np.clip(shares + sign * STEP * np.eye(count), 0, 1) for sign in (1, -1))
-        found = self.many(np.vstack([ahead, behind]))
-        width = np.diag(ahead) - np.diag(behind)
-        slopes: NDArray[np.float64] = ((found[:count] - found[count:]) / width[:, None]).T
+        places = np.vstack([ahead, behind])
+        found, had = self.many(places), self.had(places)
+        at = np.concatenate([np.diag(ahead), np.diag(behind)])[:, None]
+        if not had.all():
+            found = np.where(had, found, self.one(shares))
+            at = np.where(had, at, np.tile(shares, 2)[:, None])
+        width = at[:count] - at[count:]
+        slopes: NDArray[np.float64] = ((found[:count] - found[count:]) / np.where(width > 0, width, np.inf)).T
         return slopes
 
     def forward_jacobian(self, shares: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the derivatives, shape (m, k), by one-sided differences inwards: with half the runs."""
         steps = np.where(shares < 0.5, STEP, -STEP)
-        found = self.many(np.vstack([shares, shares + np.diag(steps)]))
-        slopes: NDArray[np.float64] = ((found[1:] - found[0]) / steps[:, None]).T
+        places = np.vstack([shares, shares + np.diag(steps)])
+        found, had = self.many(places), self.had(places)
+        slopes: NDArray[np.float64] = (np.where(had[1:], found[1:] - found[0], 0.0) / steps[:, None]).T
         return slopes
 
 

@@ -23,8 +23,12 @@ if TYPE_CHECKING:
     from certkit.studies.calibration.parameter_space import Space
     from certkit.studies.points import Outcome, Point
 
-FAILED = 20.0
-"""Distance of every value of a run that failed: far, and no gradient leads there."""
+FAILED = 1000.0
+"""Distance of every value of a run that failed: farther than any value, and no gradient leads there."""
+
+FAR = 20.0
+"""From here on a distance counts by its logarithm: one value far out does not outweigh all others, and the
+search still sees which way it comes nearer."""
 
 WITHIN = 3**-0.5
 """Standard deviation of a value that may lie anywhere in its corridor, in half-widths."""
@@ -120,6 +124,10 @@ def _reference_goal(criterion: Criterion, target: Target, setup: Setup) -> Goal 
     if quantity is None or part is None:
         raise UsageError(f"{target.procedure}: the tolerance has to be a share such as `5 %`")
     name = f"{target.procedure}/{criterion.id}"
+    if not part * quantity[0]:
+        raise UsageError(
+            f"{name}: {target.tolerance} of {quantity[0]:g} is nothing; leave it out of `criteria`"
+        )
     return Goal(name, quantity[0], part * abs(quantity[0]), quantity[1], target.weight, graded=False)
 
 
@@ -139,5 +147,11 @@ def residuals(
         else pull * WITHIN * (axis.share(float(point[axis.name])) - 0.5) / FLAT
         for axis in space.axes
     ]
-    found: NDArray[np.float64] = np.clip(np.array([*values, *pulls]), -FAILED, FAILED)
-    return found
+    return _eased(np.array([*values, *pulls]))
+
+
+def _eased(distances: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return distances that grow by their logarithm from `FAR` to `FAILED`, and no more beyond."""
+    beyond = np.clip(np.abs(distances), FAR, FAILED)
+    far: NDArray[np.float64] = np.sign(distances) * FAR * (1 + np.log(beyond / FAR))
+    return np.where(np.abs(distances) > FAR, far, distances)
