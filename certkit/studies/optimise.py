@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from msgspec import Struct, field
 
+from certkit.definitions.loading.error_messages import suggestion
 from certkit.errors import RunError, UsageError
 from certkit.grading.asked_criterion import asked_criterion
 from certkit.studies.check_runs import check_runs
@@ -134,7 +135,7 @@ def optimise(sheet: Study, factors: Sequence[Factor], held: Mapping[str, Limit],
     Raises
     ------
     UsageError
-        When a parameter is no range of numbers or the margin no share.
+        When a parameter is no range of numbers, the margin no share, or an aim no number of the runs.
     RunError
         When not a single run succeeded.
     """
@@ -207,6 +208,9 @@ class _Search:
             # Aims of different units are compared by the size they have in the first generation.
             for aim in self.wanted.aims:
                 known = [v for o in outcomes if isinstance(v := o.outputs.get(aim.output), float)]
+                ran = {name for o in outcomes for name, v in o.outputs.items() if isinstance(v, float)}
+                if ran and not known:
+                    raise UsageError(f"no run gives the aim {aim.output}; {suggestion(aim.output, ran)}")
                 self.scales.append(float(np.median(np.abs(known))) or 1.0 if known else 1.0)
         return outcomes
 

@@ -80,6 +80,42 @@ def test_limits_that_cannot_be_kept_are_said_so() -> None:
     assert optimum_text(optimum_report(found)).startswith("no settings keep all limits")
 
 
+def hill(point: Any) -> Any:  # noqa: ANN401
+    """T1 is 12 at the least, at a = 7 and b = 2; the cost is least, 1, at a = 4 and b = 6."""
+    a, b = float(point["a"]), float(point["b"])
+    return {"p/T1": 12 + (a - 7) ** 2 + (b - 2) ** 2, "cost": 1 + (a - 4) ** 2 + (b - 6) ** 2}
+
+
+def test_where_no_limit_is_in_the_way_the_best_is_the_aims_own() -> None:
+    found = searched(evaluate=lambda point: {**hill(point), "p/T1": 1.0})
+    row = found.table.iloc[found.best]
+    assert (row["a"], row["b"], row["cost"]) == (
+        pytest.approx(4.0, abs=0.03),
+        pytest.approx(6.0, abs=0.03),
+        pytest.approx(1.0, abs=1e-3),
+    )
+
+
+def test_where_no_settings_keep_the_limits_those_that_miss_them_least_are_told() -> None:
+    found = searched(evaluate=hill, margin="0 %")
+    row = found.table.iloc[found.best]
+    assert not found.keeps
+    assert (row["a"], row["b"]) == (pytest.approx(7.0, abs=0.1), pytest.approx(2.0, abs=0.1))
+    assert found.slack == pytest.approx(-0.2, abs=1e-3)
+
+
+def test_the_settings_run_again_give_the_value_that_was_promised() -> None:
+    found = searched(evaluations=60)
+    settings = dict(setting.split("=") for setting in found.settings)
+    again = bowl({name: value.removesuffix(" mm") for name, value in settings.items()})
+    assert again["cost"] == found.table.iloc[found.best]["cost"]
+
+
+def test_an_aim_that_no_run_gives_is_refused() -> None:
+    with pytest.raises(UsageError, match="no run gives the aim costs; did you mean `cost`"):
+        searched(evaluations=20, aims=("costs",))
+
+
 def test_the_same_seed_walks_the_same_way() -> None:
     assert searched(evaluations=60).table.equals(searched(evaluations=60).table)
 
