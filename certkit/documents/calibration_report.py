@@ -130,7 +130,9 @@ class CalibrationReport(OutputDocument):
     runs: int
     rms_before: Figure
     rms_after: Figure
-    passes: Annotated[bool, Field(description="Whether every graded criterion passes.")]
+    passes: Annotated[
+        bool | None, Field(description="Whether every graded criterion passes; null where nothing is graded.")
+    ]
     values: list[FittedValue]
     curves: Annotated[list[FollowedCurve], Field(default_factory=list)]
     parameters: list[FittedParameter]

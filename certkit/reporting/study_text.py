@@ -73,6 +73,13 @@ def optimum_text(document: OptimumReport) -> str:
 CURVE_HEADS = ("curve", "rms % before", "after", "peak", "after", "unit", "error %", "late by ms")
 
 
+PASSES = {
+    True: "every graded criterion passes",
+    False: "not every graded criterion passes",
+    None: "nothing is graded",
+}
+
+
 def calibration_text(document: CalibrationReport) -> str:
     """Return the values before and after, and how well the parameters are known."""
     heads = ("value", "should be", "before", "after", "unit", "distance")
@@ -99,7 +106,7 @@ def calibration_text(document: CalibrationReport) -> str:
         *([aligned(heads, rows, right=(1, 2, 3, 5))] if rows else []),
         *([aligned(CURVE_HEADS, curves, right=(1, 2, 3, 4, 6, 7))] if curves else []),
         distances,
-        "every graded criterion passes" if document.passes else "not every graded criterion passes",
+        PASSES[document.passes],
     ]
     left_out = [v for v in document.values if isinstance(v.left_out, float)]
     if left_out:

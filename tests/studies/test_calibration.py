@@ -12,7 +12,8 @@ from certkit.definitions.calibration import CalibrationTask
 from certkit.definitions.loading.library import load
 from certkit.definitions.study import Study
 from certkit.documents.rounding import rounded
-from certkit.errors import OldFormWarning, UsageError
+from certkit.errors import OldFormWarning, RunError, UsageError
+from certkit.reporting.study_text import calibration_text
 from certkit.studies.calibration.basins import spread_places
 from certkit.studies.calibration.fit import make_ready
 from certkit.studies.calibration.identifiability import LEARNT, knowledge
@@ -184,6 +185,22 @@ def test_a_run_that_failed_or_cannot_be_trusted_does_not_pass() -> None:
     assert not passes(Outcome({"p/verdict": "error"}), ("p",))
     assert not passes(Outcome({"p/verdict": "fail"}), ("p",))
     assert not passes(Outcome({}, "it failed"), ("p",))
+
+
+def test_where_nothing_is_graded_nothing_passes(tmp_path: Path) -> None:
+    assert passes(Outcome({"p/verdict": "not evaluated", "q/verdict": "pass"}), ("p", "q"))
+    assert passes(Outcome({"p/verdict": "not evaluated"}), ("p",)) is None
+    sheet = changed(
+        parameters=[{**SHEET["parameters"][0], "with": []}],
+        targets=[{"procedure": "inverse-seed", "to": "reference", "criteria": ["T1", "T2"]}],
+        search={"generations": 0, "steps": 0},
+    )
+    document = fit_and_write(make_ready(sheet), tmp_path, execution=Execution(processes=1)).report
+    assert document.passes is None
+    assert "nothing is graded" in calibration_text(document)
+    assert "Nothing is graded." in (tmp_path / "fit.html").read_text("utf-8")
+    with pytest.raises(RunError, match="no test that a family could pass"):
+        fit_and_write(make_ready(sheet), tmp_path, execution=Execution(processes=1), family=2)
 
 
 def test_what_the_tests_do_not_touch_is_left_open() -> None:

@@ -41,10 +41,12 @@ STRIDE = 0.3
 """Largest change of a parameter's share in one step."""
 
 
-def passes(outcome: Outcome, procedures: tuple[str, ...]) -> bool:
-    """Tell whether a run passed everything that is graded, with numbers that can be trusted."""
-    verdicts = [outcome.outputs.get(f"{name}/verdict") for name in procedures]
-    return not outcome.error and all(verdict in {"pass", "not evaluated"} for verdict in verdicts)
+def passes(outcome: Outcome, procedures: tuple[str, ...]) -> bool | None:
+    """Tell whether a run passed all that is graded, with numbers that can be trusted; None: nothing is."""
+    verdicts = {outcome.outputs.get(f"{name}/verdict") for name in procedures}
+    if outcome.error or not verdicts <= {"pass", "not evaluated"}:
+        return False
+    return True if "pass" in verdicts else None
 
 
 def find_members(calibration: Calibration, runs: Runs, count: int, tell: Tell) -> NDArray[np.float64]:
@@ -71,11 +73,17 @@ def find_members(calibration: Calibration, runs: Runs, count: int, tell: Tell) -
     Raises
     ------
     RunError
-        When the fitted leg does not pass, or too few others were found.
+        When the fitted leg does not pass, nothing is graded, or too few others were found.
     """
     task, wanted = calibration.task, calibration.task.sheet.family
     procedures = task.trial.procedures
-    if not passes(calibration.after, procedures):
+    own = passes(calibration.after, procedures)
+    if own is None:
+        raise RunError(
+            "none of the targets' procedures grades anything: there is no test that a family could pass"
+            "; add one with corridors to the targets"
+        )
+    if not own:
         raise RunError(
             "the fitted leg does not pass every graded criterion itself: it has no certified family"
             "; widen the bounds, or free more parameters"
