@@ -16,7 +16,7 @@ from certkit.errors import OldFormWarning, RunError, UsageError
 from certkit.reporting.study_text import calibration_text
 from certkit.studies.calibration.basins import spread_places
 from certkit.studies.calibration.fit import make_ready
-from certkit.studies.calibration.identifiability import LEARNT, knowledge
+from certkit.studies.calibration.identifiability import ALONE, knowledge
 from certkit.studies.calibration.leg_family import extent, passes
 from certkit.studies.calibration.parameter_space import Axis, Space
 from certkit.studies.calibration.run_calibration import fit_and_write
@@ -207,7 +207,7 @@ def test_what_the_tests_do_not_touch_is_left_open() -> None:
     space = Space((Axis("seen", "mm", 0.0, 10.0, 5.0), Axis("unseen", "kg", 0.0, 2.0, 1.0)))
     known = knowledge(space, np.array([0.5, 0.5]), np.array([[8.0, 0.0]]))
     assert known.undetermined == ["unseen"]
-    assert known.narrowed["seen"] < 0.3 < LEARNT
+    assert known.narrowed["seen"] < 0.3 < ALONE
     # Only the bounds are known: a uniform distribution over 2 kg.
     assert known.deviations["unseen"] == pytest.approx(2 / 12**0.5)
     assert [dict(d.parts) for d in known.open] == [{"unseen": pytest.approx(1.0)}]
@@ -217,6 +217,7 @@ def test_two_parameters_that_only_act_together_are_told_as_a_direction() -> None
     space = Space((Axis("a", "mm", 0.0, 1.0, 0.5), Axis("b", "mm", 0.0, 1.0, 0.5)))
     known = knowledge(space, np.array([0.5, 0.5]), np.array([[30.0, 30.0]]))
     assert known.correlations[0][2] < -0.9
+    assert known.undetermined == ["a", "b"]
     assert dict(known.open[0].parts) == {
         "a": pytest.approx(0.707, abs=1e-3),
         "b": pytest.approx(-0.707, abs=1e-3),

@@ -16,7 +16,12 @@ if TYPE_CHECKING:
     from certkit.studies.calibration.parameter_space import Space
 
 LEARNT = 0.8
-"""Narrowed to no less than this part of its bounds' spread, a parameter or direction is left open."""
+"""Narrowed to no less than this part of its bounds' spread, a direction is left open."""
+
+ALONE = 0.7
+"""The same for a parameter. Of two that the tests see only together each is narrowed to √½ here, where
+bounds are taken as normal distributions; between real bounds hardly anything is known of either.
+"""
 
 STRONG = 0.6
 """Correlations from here on are told."""
@@ -49,7 +54,7 @@ class Knowledge(Struct, frozen=True):
     @property
     def undetermined(self) -> list[str]:
         """Parameters of which the tests say hardly more than their bounds."""
-        return [name for name, part in self.narrowed.items() if part > LEARNT]
+        return [name for name, part in self.narrowed.items() if part > ALONE]
 
 
 def knowledge(space: Space, shares: NDArray[np.float64], jacobian: NDArray[np.float64]) -> Knowledge:
