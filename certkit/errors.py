@@ -76,6 +76,10 @@ class OldFormWarning(FutureWarning):
     """An old form of a file, or an old path, that is still read; says what to write instead."""
 
 
+class TakenAsSaidWarning(UserWarning):
+    """A test that was booked as it says, though something speaks against counting on it; says what."""
+
+
 class LeftOutWarning(UserWarning):
     """A report that was not written, because something that it needs is not installed; says what to do."""
 

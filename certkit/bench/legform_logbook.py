@@ -6,7 +6,7 @@ from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from certkit.bench.graded_again import wrong_values
+from certkit.bench.graded_again import wrong_values_today
 from certkit.definitions.loading.validation import read_document
 from certkit.definitions.logbook_rules import LogbookRules
 from certkit.documents.result import Result
@@ -93,12 +93,15 @@ def add_tests(
     ------
     DataError
         When a test is damaged, was changed, comes to other values when it is graded again, or names no
-        legform and day.
+        legform and day. One that cannot be graded again, or has the samples of another, is booked with a
+        `TakenAsSaidWarning`.
     """
     paths = [Path(path) for path in tests]
     # What is no document, or was changed, the logbook itself refuses with more words.
     results = {str(path): _read(path) for path in paths}
-    faults = [each for place, result in results.items() if result for each in wrong_values(place, result)]
+    faults = [
+        each for place, result in results.items() if result for each in wrong_values_today(place, result)
+    ]
     if faults:
         raise DataError("\n".join(faults))
     return add(Logbook(Path(folder)), paths)

@@ -12,7 +12,7 @@ import warnings
 from typing import TextIO
 
 from certkit.cli.output_streams import end_streams, guard_streams
-from certkit.errors import CertkitError, LeftOutWarning, OldFormWarning, UsageError
+from certkit.errors import CertkitError, LeftOutWarning, OldFormWarning, TakenAsSaidWarning, UsageError
 
 
 def _tell_remark(  # the signature of `warnings.showwarning`
@@ -27,7 +27,7 @@ def _tell_remark(  # the signature of `warnings.showwarning`
     from typer import echo  # noqa: PLC0415  # as in `main`
 
     text = f"remark: {message}"
-    if not issubclass(category, (OldFormWarning, LeftOutWarning)):
+    if not issubclass(category, (OldFormWarning, LeftOutWarning, TakenAsSaidWarning)):
         text = warnings.formatwarning(message, category, filename, lineno, line).rstrip()
     echo(text, file=file or sys.stderr)
 

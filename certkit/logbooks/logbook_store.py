@@ -12,6 +12,7 @@ import contextlib
 import hashlib
 import json
 import re
+import warnings
 from datetime import date
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +20,7 @@ from filelock import FileLock
 from msgspec import Struct, to_builtins
 
 from certkit.documents.result import Result
-from certkit.errors import DataError
+from certkit.errors import DataError, TakenAsSaidWarning
 from certkit.files import write_whole
 from certkit.files.bounded import read_bounded
 from certkit.files.whole_file import remove_leftovers
@@ -234,7 +235,7 @@ def _refuse_second_gradings(
     for entry, _, path in read:
         if entry.id in replaced:
             continue
-        _refuse_second_use(entry, path, [each for each in (*kept, *before) if each.id not in replaced])
+        _tell_second_use(entry, path, [each for each in (*kept, *before) if each.id not in replaced])
         before.append(entry)
         if not entry.recordings:
             continue
@@ -247,18 +248,21 @@ def _refuse_second_gradings(
             )
 
 
-def _refuse_second_use(entry: LogbookEntry, path: Path, others: Iterable[LogbookEntry]) -> None:
-    """Refuse the samples of a test that is there under another number, day or legform."""
+def _tell_second_use(entry: LogbookEntry, path: Path, others: Iterable[LogbookEntry]) -> None:
+    """Tell of the samples of a test that is there under another number, day or legform: it may be a slip."""
     for other in others:
         if other.id == entry.id or (other.recordings and other.test_key == entry.test_key):
             continue
         same = shared_channels(entry.channels, other.channels)
         if same:
-            raise DataError(
+            warnings.warn(
                 f"{path}: {same} are sample by sample those of {other.id} ({other.serial}, "
                 f"{other.procedure}, {other.day}, number {other.number or 'none'}); one blow is one test: "
-                f"grade the right recording, or amend that report (`replaces` in the laboratory's file)"
+                f"grade the right recording, or amend that report (`replaces` in the laboratory's file)",
+                TakenAsSaidWarning,
+                stacklevel=2,
             )
+            return
 
 
 def _file_name(entry: LogbookEntry) -> str:

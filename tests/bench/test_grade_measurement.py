@@ -218,7 +218,7 @@ def test_a_value_that_stands_for_a_missing_sample_is_told_as_a_jump(
     values[int(np.argmax(values)) + 40] = -9999.0
     spiked = replace(recording["T1"], values=values)
     write_csv(replace(recording, channels={**recording.channels, "T1": spiked}), tmp_path / "leg.csv")
-    code, printed, errors = certkit("grade", "--procedure", "pendulum", tmp_path / "leg.csv", *how)
+    code, printed, errors = certkit("grade", "-p", "pendulum", tmp_path / "leg.csv", "--format", "none", *how)
     assert code == 4, errors
     assert "T1: it jumps by" in printed
 

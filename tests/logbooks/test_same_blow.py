@@ -1,4 +1,4 @@
-"""One blow is one test: the same samples under another number, day, legform or laboratory are refused."""
+"""One blow is one test: the same samples under another number, day, legform or laboratory are told."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 import certkit
 from certkit.bench.round_robin import round_robin
 from certkit.documents.result import Result
-from certkit.errors import DataError
+from certkit.errors import DataError, TakenAsSaidWarning
 from certkit.logbooks import Logbook, add
 from certkit.logbooks.same_blow import shared_channels
 
@@ -40,13 +40,17 @@ def _booked(result: Result, folder: Path, **header: dict[str, str]) -> Path:
     ],
     ids=["number", "day", "legform"],
 )
-def test_a_logbook_takes_no_samples_twice(graded: Result, header: dict[str, dict[str, str]], tmp_path: Path):
+def test_a_logbook_tells_of_samples_that_come_twice(
+    graded: Result, header: dict[str, dict[str, str]], tmp_path: Path
+):
     first, second = _booked(graded, tmp_path), _booked(graded, tmp_path, **header)
     book = Logbook(tmp_path / "logbook")
     add(book, [first])
-    with pytest.raises(DataError, match=r"sample by sample those of .*FLX-0007, pendulum, 2026-03-02"):
-        add(book, [second])
-    with pytest.raises(DataError, match="sample by sample"):
+    told = r"sample by sample those of .*FLX-0007, pendulum, 2026-03-02"
+    with pytest.warns(TakenAsSaidWarning, match=told):
+        new, _ = add(book, [second])
+    assert len(new) == 1
+    with pytest.warns(TakenAsSaidWarning, match="sample by sample"):
         add(Logbook(tmp_path / "other"), [first, second])
 
 
@@ -83,4 +87,24 @@ def test_a_made_up_value_is_booked_and_certified_by_nobody(graded: Result, tmp_p
     assert not (tmp_path / "logbook").exists()
     add(Logbook(tmp_path / "logbook"), [path])  # as whoever writes into the folder itself would
     with pytest.raises(DataError, match=f"{forged.id}: comes to other values"):
+        certkit.certify("FLX-0007", folder=tmp_path / "logbook")
+
+
+def test_a_test_of_an_earlier_version_is_booked_with_a_remark_and_certified_by_nobody(
+    graded: Result, tmp_path: Path
+):
+    """Its definitions have a word that is not known any more, so nobody can grade it again."""
+    inputs = [
+        item.model_copy(update={"text": item.text.replace("knee centre below", "below knee centre")})
+        if item.role == "procedure" and item.text
+        else item
+        for item in graded.provenance.inputs
+    ]
+    provenance = graded.provenance.model_copy(update={"inputs": inputs})
+    path = tmp_path / "old.json"
+    path.write_text(graded.model_copy(update={"provenance": provenance}).with_id().to_json())
+    with pytest.warns(TakenAsSaidWarning, match=r"cannot be graded again by this certkit \(.*it is booked"):
+        (leg,) = certkit.logbook(tmp_path / "logbook", tests=path)
+    assert len(leg.tests) == 1
+    with pytest.raises(DataError, match="cannot be graded again"):
         certkit.certify("FLX-0007", folder=tmp_path / "logbook")
