@@ -126,8 +126,7 @@ class CheckedRun(Struct, frozen=True, dict=True):
         flight = procedure.rig.fixture(FreeFlight)
         if flight is None or self.impactor is None:
             return warnings, []
-        own = float(legform.knee.mass) + float(legform.flesh.mass)
-        own += sum(float(part.mass) for part in legform.parts.values())
+        own = legform.whole_mass(flesh=True)
         if abs(self.impactor.mass / own - 1.0) > SAME:
             warnings.append(
                 f"the run's impactor weighs {self.impactor.mass:.4g} kg, the leg `{legform.legform}` of the "

@@ -41,11 +41,9 @@ def _outside_conditions(setup: Setup) -> list[Reason]:
     known: dict[str, float] = {}
     for fixture in setup.procedure.rig.fixtures():
         known |= fixture.settings()
-    legform = setup.legform
     if setup.procedure.specimen.part == WHOLE:
-        mass = float(legform.knee.mass) + sum(float(part.mass) for part in legform.parts.values())
         fitted = setup.procedure.specimen.flesh == "fitted"
-        known["legform mass"] = mass + (float(legform.flesh.mass) if fitted else 0.0)
+        known["legform mass"] = setup.legform.whole_mass(flesh=fitted)
     said = []
     for precondition in setup.procedure.preconditions:
         value = known.get(precondition.quantity)

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 from certkit.bench.graded_again import wrong_values_today
 from certkit.definitions.loading.validation import read_document
 from certkit.definitions.logbook_rules import LogbookRules
-from certkit.documents.result import Result
-from certkit.errors import DataError, UsageError
+from certkit.errors import UsageError
 from certkit.logbooks import Logbook, add, overview, rebuild, shipped_rules
 from certkit.reporting.language import worded
 
@@ -96,24 +95,7 @@ def add_tests(
         legform and day. One that cannot be graded again, or has the samples of another, is booked with a
         `TakenAsSaidWarning`.
     """
-    paths = [Path(path) for path in tests]
-    # What is no document, or was changed, the logbook itself refuses with more words.
-    results = {str(path): _read(path) for path in paths}
-    faults = [
-        each for place, result in results.items() if result for each in wrong_values_today(place, result)
-    ]
-    if faults:
-        raise DataError("\n".join(faults))
-    return add(Logbook(Path(folder)), paths)
-
-
-def _read(path: Path) -> Result | None:
-    """Read a result whose id fits; None where there is none."""
-    try:
-        result = Result.read(Result.file_at(path))
-    except DataError:
-        return None
-    return result if result.content_id() == result.id else None
+    return add(Logbook(Path(folder)), [Path(path) for path in tests], wrong_values_today)
 
 
 def rebuild_index(folder: str | Path = FOLDER) -> int:

@@ -115,6 +115,11 @@ def others_beside(folder: Path, documents: Collection[OutputDocument]) -> Iterat
         if isinstance(each, CampaignReport):
             sources = (source for point in each.points for source in point.sources)
             known |= {source.folder.partition("/")[0] for source in sources if source.folder}
+    yield from unknown_files(folder, known)
+
+
+def unknown_files(folder: Path, known: Collection[str | None]) -> Iterator[Check]:
+    """Name what lies in a folder beside what is known there; hidden files are nobody's report."""
     found = sorted(each.name for each in folder.iterdir() if each.name not in known)
     shown = [name for name in found if not name.startswith(".")]
     if shown:

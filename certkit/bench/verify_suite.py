@@ -8,6 +8,7 @@ from msgspec.structs import replace
 
 from certkit._version import __version__
 from certkit.bench.verification import Check, Verification, fails, judged, left_out, unchecked
+from certkit.bench.verify_beside import unknown_files
 from certkit.bench.verify_document import of_another_certkit
 from certkit.documents.document_kinds import document_in
 from certkit.documents.result import Result
@@ -57,10 +58,7 @@ def suite_verification(
     if not checks:
         return []
     known = {*results, *(report_format(name).SUITE_FILE for name in FORMATS)}
-    others = sorted(each.name for each in folder.iterdir() if each.name not in known)
-    shown = [name for name in others if not name.startswith(".")]
-    if shown:
-        checks.append(left_out("other files", "files-not-looked-at", names=", ".join(shown)))
+    checks += unknown_files(folder, known)
     return [Verification(str(folder), tuple(result.id for result in results.values()), tuple(checks))]
 
 

@@ -56,6 +56,11 @@ class Legform(Section):
         """Return what the upper and the lower end are called: `femur end`, `tibia end`."""
         return f"{self.chain[0]} end", f"{self.chain[-1]} end"
 
+    def whole_mass(self, *, flesh: bool) -> float:
+        """Return the mass of all parts and the knee, kg, with the flesh where it is fitted."""
+        bare = float(self.knee.mass) + sum(float(part.mass) for part in self.parts.values())
+        return bare + (float(self.flesh.mass) if flesh else 0.0)
+
     def is_upper(self, end: str) -> bool:
         """Tell whether an end is the upper one.
 

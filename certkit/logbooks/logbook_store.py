@@ -28,7 +28,7 @@ from certkit.logbooks.logbook_entry import LogbookEntry, Reading, entry_of, repl
 from certkit.logbooks.same_blow import shared_channels
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Sequence
     from pathlib import Path
 
 INDEX = "index.json"
@@ -101,7 +101,11 @@ class Logbook(Struct, frozen=True):
             return list(_agreed(self).values())
 
 
-def add(logbook: Logbook, documents: Iterable[Path]) -> tuple[list[LogbookEntry], list[LogbookEntry]]:
+def add(
+    logbook: Logbook,
+    documents: Iterable[Path],
+    wrong: Callable[[str, Result], list[str]] = lambda *_: [],
+) -> tuple[list[LogbookEntry], list[LogbookEntry]]:
     """Put result documents into the logbook; all or none.
 
     Parameters
@@ -110,6 +114,8 @@ def add(logbook: Logbook, documents: Iterable[Path]) -> tuple[list[LogbookEntry]
         Made when missing.
     documents : iterable of Path
         `result.json` files, or folders of runs with one in.
+    wrong : callable
+        Says what is wrong with a result beside that, by its place; it is not booked then.
 
     Returns
     -------
@@ -119,10 +125,17 @@ def add(logbook: Logbook, documents: Iterable[Path]) -> tuple[list[LogbookEntry]
     Raises
     ------
     DataError
-        When a document is damaged, was changed, was not measured, names no legform and day, or grades a
-        recording that the logbook has already under another id.
+        When a document is damaged, was changed, was not measured, names no legform and day, is wrong, or
+        grades a recording that the logbook has already under another id.
     """
-    read = [_read(Result.file_at(path)) for path in documents]
+    read, faults = [], []
+    for path in documents:
+        file = Result.file_at(path)
+        result, content = _read(file)
+        read.append((entry_of(result, str(file)), content, file))
+        faults += wrong(str(path), result)
+    if faults:
+        raise DataError("\n".join(faults))
     logbook.documents.mkdir(parents=True, exist_ok=True)
     with _locked(logbook):
         remove_leftovers(logbook.documents)
@@ -177,7 +190,9 @@ def _agreed(logbook: Logbook) -> dict[str, LogbookEntry]:
         state = path.stat()
         stamp = [state.st_size, state.st_mtime_ns]
         before = known.get(path.name)
-        found[path.name] = before if before and before[0] == stamp else (stamp, _read(path)[0])
+        found[path.name] = (
+            before if before and before[0] == stamp else (stamp, entry_of(_read(path)[0], str(path)))
+        )
     if found != known:
         # Whoever may only read the folder does without an index.
         with contextlib.suppress(PermissionError):
@@ -216,12 +231,12 @@ def _entry(fields: dict[str, Any]) -> LogbookEntry:
     )
 
 
-def _read(path: Path) -> tuple[LogbookEntry, bytes, Path]:
+def _read(path: Path) -> tuple[Result, bytes]:
     content = read_bounded(path)
     result = Result.from_json(content, str(path))
     if result.content_id() != result.id:
         raise DataError(f"{path}: was changed since it was written; `certkit verify` tells more")
-    return entry_of(result, str(path)), content, path
+    return result, content
 
 
 def _refuse_second_gradings(

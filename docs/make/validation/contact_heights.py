@@ -9,8 +9,8 @@ from msgspec.structs import replace
 from certkit.bench.channel_checks import channel_checks
 from certkit.bench.checked_run import CheckedRun
 from certkit.bench.contact_places import recorded_forces
+from certkit.bench.extract_vehicle import PROCEDURE
 from certkit.bench.setup import prepare
-from certkit.cli.extract_command import DEFAULT_PROCEDURE
 from certkit.definitions.loading.library import load
 from certkit.definitions.loading.search_path import shipped_root
 from certkit.exchange.fe import read_case_data
@@ -34,7 +34,7 @@ def heights_table(front: str, tell: Callable[[str], None]) -> str:
     document = load("case", case).document
     data = read_case_data(document.histories, case.parent)
     result = extract(document, case.parent, case_folder=case.parent, data=data)
-    setup = prepare(DEFAULT_PROCEDURE)
+    setup = prepare(PROCEDURE)
     flesh = setup.legform.flesh
     forces = recorded_forces(
         result, data.motion, face=float(flesh.face or 0.0), thickness=float(flesh.thickness)
